@@ -30,7 +30,7 @@ licence = \"Under which terms it is copied\"
 read = \"What was read, from where, and how well\"
 case = \"case.toml\"              # if it is another
 tests = \"tests.csv\"             # if it is another
-# assume = [\"body.ring.wear.archard.coefficient\"]     # what no test tells
+# assume = [\"body.ring.wear.archard.coefficient\"]     # what no test determines
 
 # Without this each test is predicted by the others.
 [coefficient]

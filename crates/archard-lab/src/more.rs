@@ -22,7 +22,7 @@ pub struct More {
 }
 
 impl Estimate {
-    /// What further tests would narrow; `None` of one test, which does not tell how tests scatter.
+    /// What further tests would narrow; `None` of one test: the scatter is unknown.
     pub fn more(&self) -> Option<More> {
         let count = self.tests.len();
         self.between?;

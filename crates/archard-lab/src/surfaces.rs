@@ -284,7 +284,7 @@ impl Measured {
                 "axis": if *axis == 0 { "x" } else { "y" }, "middle_m": scar.place.value, "uncertainty_of_middle_m": scar.place.standard,
                 "depth_m": scar.depth.map(|own| own.value), "width_m": scar.width.map(|own| own.value),
                 "from_to_m": scar.extent, "tilt": scar.tilt, "offset_m": scar.height, "scatter_m": scar.texture.hypot(scar.noise),
-                "alike_m": scar.length, "misfit": scar.misfit, "spikes": scar.spikes, "debris": scar.debris,
+                "correlation_length_m": scar.length, "misfit": scar.misfit, "spikes": scar.spikes, "debris": scar.debris,
             }),
             Taken::Unmeasured => json!({}),
         };

@@ -1,4 +1,4 @@
-//! A measured profile beside the worn one of a run.
+//! A measured profile next to the worn one of a run.
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{BODY_DEPTH, WORN_SECTION, WORN_VOLUME, of_body};
@@ -105,8 +105,12 @@ pub(super) fn compare(
                 along.filter(|(x, _)| (ends[0]..=ends[1]).contains(x)).collect();
             let (measured, worn) = (area(&inside), area(&along));
             lines.push(difference(rms, deepest.max(computed)));
-            lines.push(beside("deepest", (quantity(deepest, "m"), deepest), (computed, "m")));
-            lines.push(beside("worn section", (quantity(measured, "m2"), measured), (worn, "m2")));
+            lines.push(compared("deepest", (quantity(deepest, "m"), deepest), (computed, "m")));
+            lines.push(compared(
+                "worn section",
+                (quantity(measured, "m2"), measured),
+                (worn, "m2"),
+            ));
             measured
         }
     };
@@ -228,7 +232,7 @@ impl<'a> Section<'a> {
             (_, Ok(volumes)) => {
                 volumes.iter().zip(depths).map(|(volume, depth)| (volume * depth).sqrt()).collect()
             }
-            (_, Err(error)) => return Err(error.into()),
+            (_, Err(error)) => return Err(error),
         };
         let deepening = Shape::deepening(&sections, depths);
         Shape::new(self.places.to_vec(), self.worn.to_vec(), deepening).with_context(|| {
@@ -264,7 +268,7 @@ fn laid(scar: &Scar, axis: Axis) -> Vec<[String; 2]> {
         [
             "scatter beside the scar".to_owned(),
             format!(
-                "{}, alike over {}",
+                "{}, correlated over {}",
                 quantity(scar.texture.hypot(scar.noise), "m"),
                 quantity(scar.length, "m")
             ),
@@ -276,7 +280,7 @@ fn laid(scar: &Scar, axis: Axis) -> Vec<[String; 2]> {
 fn by_shape((scar, shape): (&Scar, &Shape)) -> Vec<[String; 2]> {
     let mut lines = vec![];
     let mut own = |name: &str, measured: &Estimate, computed: (f64, &str)| {
-        lines.push(beside(name, (with(measured, computed.1), measured.value), computed));
+        lines.push(compared(name, (with(measured, computed.1), measured.value), computed));
     };
     if let (Some(depth), Some([computed, width])) = (&scar.depth, depth_and_width(shape)) {
         own("deepest", depth, (computed, "m"));
@@ -294,7 +298,7 @@ fn with(own: &Estimate, unit: &str) -> String {
 }
 
 /// A measured value, as it is shown, next to the computed one.
-fn beside(
+fn compared(
     name: &str,
     (shown, measured): (String, f64),
     (computed, unit): (f64, &str),

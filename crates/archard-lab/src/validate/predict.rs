@@ -77,7 +77,7 @@ impl<'a> Prediction<'a> {
             }
             if names.len() < 3 {
                 let why = format!(
-                    "{} tests: each is predicted by the others, of which two at least tell how tests scatter; or give `coefficient` in `set.toml`",
+                    "{} tests: each is predicted by the others, and their scatter takes two at least; or give `coefficient` in `set.toml`",
                     names.len()
                 );
                 return end(Err(why), coefficients);
@@ -140,7 +140,7 @@ impl<'a> Prediction<'a> {
         let mut coefficient = Coefficient { settings: vec![], half: 0.0, words: String::new() };
         for own in &found.coefficients {
             let Some([low, high]) = own.estimate.next else {
-                return Ok(Err("one test cannot tell how tests scatter".to_owned()));
+                return Ok(Err("the scatter of tests is not known from one of them".to_owned()));
             };
             let median = own.estimate.median;
             let (times, unit) = own.shown();

@@ -27,7 +27,7 @@ pub struct Set {
     /// The table of tests, as a fit reads it.
     #[serde(default = "tests")]
     pub tests: PathBuf,
-    /// Keys of wear that are taken from the case though no test tells them.
+    /// Keys of wear that are taken from the case though no test determines them.
     #[serde(default)]
     pub assume: Vec<String>,
     /// Where the coefficients of the case are from; without it each test is predicted by the others.
@@ -59,7 +59,7 @@ impl Set {
     /// The set in a folder.
     ///
     /// # Errors
-    /// If its file cannot be read, or says what is none of a set.
+    /// If its file cannot be read, or has what no set has.
     pub fn read(dir: &Path) -> Result<Self, String> {
         let path = dir.join(FILE);
         let name = path.display();

@@ -31,8 +31,8 @@ impl Blocks {
             readings.iter().copied().filter(|own| own.iter().all(|own| own.is_finite())).collect();
         all.sort_by(|one, other| one[0].total_cmp(&other[0]));
         let count = all.len();
-        // A map of one row, and of a second that was not measured. Where no block has two readings their weights tell spikes, and the bottom
-        // of a scar of few readings is none.
+        // A map of one row, and of a second that was not measured. Where no block has two readings their weights find spikes: the bottom of
+        // a scar of few readings would count as one.
         let heights = all.iter().map(|own| own[1]).chain(vec![f64::NAN; count]).collect();
         if count > MOST
             && let Ok(line) = HeightMap::new([count, 2], [1.0; 2], heights)

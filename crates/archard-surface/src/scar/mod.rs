@@ -8,8 +8,8 @@
 //! 3. variances, place and weights are found by the restricted likelihood (`settle`, `model`); debris next to the scar is left out;
 //! 4. section, depth and width are those of the readings under the level found; the model has a part in the level alone (`worn`).
 //!
-//! The level is that of what lies next to the scar, as far as that tells it: where less was measured than the length over which the surface
-//! is alike, the profile is refused. Calibration of the instrument is in no uncertainty.
+//! The level is that of what lies next to the scar, where enough was measured there: less than the correlation length of the surface on
+//! either side is refused. Calibration of the instrument is in no uncertainty.
 
 mod blocks;
 mod model;
@@ -83,9 +83,9 @@ pub struct Scar {
     pub texture: f64,
     /// Standard deviation of the misfit of the computed shape, as a share of its depth.
     pub misfit: f64,
-    /// Length (m) over which noise and texture are alike.
+    /// Correlation length (m) of noise and texture together.
     pub length: f64,
-    /// Independent lengths beside the scar, less one: the degrees of freedom of section, depth and width.
+    /// Correlation lengths next to the scar, less one: the degrees of freedom of section, depth and width.
     pub freedom: f64,
     /// Readings in all, and how many of them are spikes.
     pub readings: usize,
@@ -100,7 +100,7 @@ impl Scar {
     /// contact, held against a computed shape.
     ///
     /// # Errors
-    /// If no scar of such a shape stands out, or what lies next to it does not tell its level.
+    /// If no scar of such a shape stands out, or too little was measured next to it for its level.
     pub fn find(
         readings: &[[f64; 2]],
         nominal: &dyn Fn(f64) -> f64,
@@ -116,7 +116,7 @@ impl Scar {
         let ((section, of_section), unseen, through) = worn.section();
         let Settled { shift, grown, scatter, gls, .. } = &settled;
         let deviation = |i: usize| gls.uncertain[(i, i)].sqrt();
-        let alike = scatter.alike(blocks.step());
+        let correlated = scatter.correlated(blocks.step());
         if settled.hidden {
             let (texture, deepest) = (scatter.texture, shape.deepest());
             return Err(NoScar::Hidden { texture, deepest });
@@ -127,15 +127,15 @@ impl Scar {
         let correlation = gls.uncertain[(0, 2)] / deviation(0) / deviation(2);
         let leaning = worn.leaning((of_section, through));
         if leaning.is_none_or(|own| own > LEANING) || correlation.abs() > ALIKE {
-            return Err(NoScar::Unlevelled { length: alike });
+            return Err(NoScar::Unlevelled { length: correlated });
         }
         if !(GROWN[0]..=GROWN[1]).contains(grown) {
             return Err(NoScar::OtherSize { grown: *grown });
         }
         let debris = settled.debris.iter().filter(|own| **own).count() as f64 / blocks.len() as f64;
         let [low, high] = shape.extent(*grown).map(|place| place + shift);
-        let beside = blocks.span() * (1.0 - debris) - (high - low);
-        let freedom = (beside / alike - 1.0).max(1.0);
+        let next_to_it = blocks.span() * (1.0 - debris) - (high - low);
+        let freedom = (next_to_it / correlated - 1.0).max(1.0);
         // Growth and place are found by the scar: by as many independent stretches as it has, less these two.
         let within = ((high - low) / scatter.length - 2.0).max(1.0);
         let estimate = |(value, standard): (f64, f64), freedom: f64| {
@@ -160,7 +160,7 @@ impl Scar {
             noise: scatter.noise,
             texture: scatter.texture,
             misfit: scatter.misfit,
-            length: alike,
+            length: correlated,
             freedom,
             readings: blocks.readings,
             spikes: blocks.spikes,

@@ -1,8 +1,8 @@
 //! What readings of a profile should be, how they scatter, and generalised least squares.
 //!
 //! A height is that of the unworn body at the shifted place, less what is worn off, on a line: `h(x - s) - w(x - s, A) + a + b x`. Errors
-//! are white noise with weights, texture, and a misfit of the model as a share of its own depth, alike over one
-//! length.
+//! are white noise with weights, texture, and a misfit of the model as a share of its own depth, of one
+//! correlation length.
 
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
@@ -30,30 +30,30 @@ pub(super) struct Scatter {
     pub noise: f64,
     pub texture: f64,
     pub misfit: f64,
-    /// The length (m) over which texture and misfit are alike: the integral of their correlation, to one side.
+    /// Correlation length (m) of texture and misfit: the integral of their correlation, to one side.
     pub length: f64,
 }
 
 impl Scatter {
-    /// The length (m) over which noise and texture of readings a step apart (m) are alike: the integral of their correlation, to one side.
-    pub fn alike(&self, step: f64) -> f64 {
+    /// Correlation length (m) of noise and texture together, of readings a step apart (m): the integral of their correlation, to one side.
+    pub fn correlated(&self, step: f64) -> f64 {
         let [noise, texture] = [self.noise, self.texture].map(|own| own * own);
         (noise * step + texture * self.length) / (noise + texture)
     }
 
     /// The covariance (m^2) of texture so far apart (m).
     pub fn texture(&self, far: f64) -> f64 {
-        self.texture * self.texture * alike(far, self.length)
+        self.texture * self.texture * correlation(far, self.length)
     }
 
     /// The covariance of misfits so far apart (m), as a share of the depths.
     pub fn misfit(&self, far: f64) -> f64 {
-        self.misfit * self.misfit * alike(far, self.length)
+        self.misfit * self.misfit * correlation(far, self.length)
     }
 }
 
 /// The correlation of B. Matern's process of the order 3/2 (*Spatial Variation*, 1960), whose slopes are finite, over a length.
-fn alike(far: f64, length: f64) -> f64 {
+fn correlation(far: f64, length: f64) -> f64 {
     let far = 2.0 * far.abs() / length;
     (1.0 + far) * (-far).exp()
 }

@@ -18,7 +18,7 @@ const APART: f64 = 1.0 / 40.0;
 const PART: f64 = 0.05;
 /// Growths that are sought, from and to.
 pub(super) const GROWN: [f64; 2] = [1e-3, 1e3];
-/// Rounds of the growth, of which depths are a power, and of its weights.
+/// Rounds of the growth, as depths are a power of it, and of its weights.
 const ROUNDS: [usize; 2] = [3, 4];
 
 /// The shift (m) and the growth at which readings are nearest to the model; `None` where they ask for no scar anywhere.
@@ -77,7 +77,7 @@ fn weight(deviation: f64) -> f64 {
     (FREEDOM + 1.0) / (FREEDOM + deviation * deviation)
 }
 
-/// The numbers of columns nearest to heights, by weights, by G. Cramer's rule; `None` of columns that are alike.
+/// The numbers of columns nearest to heights, by weights, by G. Cramer's rule; `None` of columns that depend on each other.
 fn weighted(columns: &[Vec<f64>], heights: &[f64], weights: &[f64]) -> Option<[f64; LINEAR]> {
     let sum = |one: &[f64], other: &[f64]| -> f64 {
         one.iter().zip(other).zip(weights).map(|((a, b), w)| a * b * w).sum()

@@ -1,6 +1,6 @@
-//! Why a profile tells no scar.
+//! Why no scar is found on a profile.
 
-/// Why a profile tells no scar.
+/// Why no scar is found on a profile.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoScar {
@@ -43,12 +43,12 @@ pub enum NoScar {
     },
     /// Nothing to level by.
     #[error(
-        "too little was measured beside the scar to level the profile by: {:.3} um on either side are needed, over which the surface \
-         is alike; measure wider, and see that units and the shape of the body are right",
+        "too little was measured beside the scar to level the profile by: {:.3} um on either side are needed, the correlation length of the \
+         surface; measure wider, and see that units and the shape of the body are right",
         1e6 * .length
     )]
     Unlevelled {
-        /// The length over which the surface is alike (m).
+        /// Correlation length of the surface (m).
         length: f64,
     },
     /// Of another test.

@@ -16,10 +16,10 @@ use crate::outliers::{BY_MEDIAN, median};
 const MISFIT: f64 = 0.05;
 /// Least misfit: below it the section is that of the readings to a digit more than they have.
 const LEAST_MISFIT: f64 = 1e-3;
-/// The longest length over which errors are alike, over the width: longer ones are those of the form that is sought, of which a parabola has
+/// The longest correlation length, over the width: longer ones are those of the form that is sought, of which a parabola has
 /// three turns.
 const LONGEST: f64 = 1.0 / 6.0;
-/// Texture, over the depth, beyond which no scar stands out: a depth of ten deviations is none of its.
+/// Texture, over the depth, beyond which no scar stands out: ten deviations are never reached by chance.
 const MOST_TEXTURE: f64 = 0.1;
 /// Rounds of variances and weights: from the fourth on places change by less than a tenth of their uncertainty.
 const ROUNDS: usize = 4;
@@ -50,7 +50,7 @@ pub(super) struct Settled {
     pub hidden: bool,
 }
 
-/// Noise, texture, misfit, and the length over which the last two are alike.
+/// Noise, texture, misfit, and the correlation length of the last two.
 const VARIANCES: usize = 4;
 
 /// Bounds of the logarithms of variances and lengths.
@@ -198,14 +198,14 @@ fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
 
 /// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours that lie off together by more than texture there.
 fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &[f64]) {
-    let beside: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
-    // Fewer do not tell a median from what lies on top.
-    if beside.len() <= 4 * DEBRIS {
+    let unworn: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
+    // The median of fewer may be that of debris.
+    if unworn.len() <= 4 * DEBRIS {
         return;
     }
-    let mut own: Vec<f64> = beside.iter().map(|&at| residuals[at]).collect();
+    let mut own: Vec<f64> = unworn.iter().map(|&at| residuals[at]).collect();
     let middle = median(&mut own).unwrap_or(0.0);
-    let mut sizes: Vec<f64> = beside.iter().map(|&at| (residuals[at] - middle).abs()).collect();
+    let mut sizes: Vec<f64> = unworn.iter().map(|&at| (residuals[at] - middle).abs()).collect();
     let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(least);
     let bound = SQRT_2 * erfc_inv(0.5 / residuals.len() as f64) * spread;
     for at in 1..residuals.len() - 1 {

@@ -49,7 +49,7 @@ impl Shape {
     }
 
     /// The exponent at which depths grow, of greatest depths at rising sections: that between half of the last section and the last.
-    /// One where there is nothing to tell it.
+    /// One where too little is known.
     pub fn deepening(sections: &[f64], depths: &[f64]) -> f64 {
         let Some((last, deepest)) = sections.last().zip(depths.last()).filter(|own| *own.0 > 0.0)
         else {

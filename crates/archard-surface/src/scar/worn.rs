@@ -96,7 +96,7 @@ impl<'a> Worn<'a> {
         (dot(shares, &self.depths), self.variance(shares, self.through(shares)).sqrt())
     }
 
-    /// What all readings may be rounded by alike (m): rounding spreads as noise does from half a step of noise on.
+    /// What all readings may be rounded by together (m): rounding spreads as noise does from half a step of noise on.
     fn rounded(&self) -> f64 {
         let Model { blocks, .. } = self.model;
         let noise =
@@ -113,7 +113,7 @@ impl<'a> Worn<'a> {
     }
 
     /// The worn section (m^2), the part of it that was not measured and is the model's, and its change with height, tilt, growth
-    /// and place. What readings differ from the model is summed over them, and the model between them, so that few tell as much.
+    /// and place. Differences from the model are summed over readings, and the model between them, so that few are enough.
     pub fn section(&self) -> (Found, f64, [f64; 4]) {
         let Settled { shift, grown, scatter, .. } = self.settled;
         let Model { shape, blocks, .. } = self.model;
@@ -177,22 +177,22 @@ impl<'a> Worn<'a> {
         let Settled { shift, grown, scatter, debris, gls, .. } = self.settled;
         let places = &self.model.blocks.places;
         let worn = self.model.worn(*shift, *grown);
-        let beside: Vec<usize> =
+        let unworn: Vec<usize> =
             (0..places.len()).filter(|&at| worn[at] <= 0.0 && !debris[at]).collect();
-        // A length over which texture is alike on either side: one reading that is independent.
+        // A correlation length on either side: one independent reading.
         let step = self.model.blocks.step();
-        let least = (scatter.alike(step) / step).max(3.0);
-        let before = beside.iter().filter(|&&at| places[at] < *shift).count();
-        if (before.min(beside.len() - before) as f64) < least {
+        let least = (scatter.correlated(step) / step).max(3.0);
+        let before = unworn.iter().filter(|&&at| places[at] < *shift).count();
+        if (before.min(unworn.len() - before) as f64) < least {
             return None;
         }
         let whole = &gls.covariance.whole;
-        let part = Mat::from_fn(beside.len(), beside.len(), |i, j| whole[(beside[i], beside[j])]);
+        let part = Mat::from_fn(unworn.len(), unworn.len(), |i, j| whole[(unworn[i], unworn[j])]);
         let columns =
             Mat::from_fn(
-                beside.len(),
+                unworn.len(),
                 2,
-                |i, j| if j == 0 { 1.0 } else { self.model.along[beside[i]] },
+                |i, j| if j == 0 { 1.0 } else { self.model.along[unworn[i]] },
             );
         let by_inverse = super::model::solved(&part, &columns)?;
         let information = columns.transpose() * by_inverse;

@@ -8,7 +8,7 @@ use super::super::Shape;
 /// What profiles are like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
-    FlatBeside,
+    Plain,
     Debris,
     Spikes,
     Rough,
@@ -19,7 +19,7 @@ pub(super) enum Kind {
 
 /// All kinds whose level is told.
 pub(super) const KINDS: [Kind; 5] =
-    [Kind::FlatBeside, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder];
+    [Kind::Plain, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder];
 
 const RADIUS: f64 = 20e-3;
 /// The section of the computed shape (m^2).
@@ -67,7 +67,7 @@ fn one_of(random: &mut Rng, all: &[f64]) -> f64 {
     all[random.usize(0..all.len())]
 }
 
-/// Waves of a length that is alike over it, with a deviation of one.
+/// Waves of a length, with a deviation of one.
 fn waves(places: &[f64], length: f64, random: &mut Rng) -> Vec<f64> {
     let size = places.len();
     let matrix = Mat::from_fn(size, size, |i, j| {

@@ -95,7 +95,7 @@ fn sections_of_each_kind_lie_within_their_intervals() {
 
 /// Where nothing lies next to the scar, or on one side of it alone, its level is not told: most are refused.
 #[test]
-fn what_has_nothing_beside_is_refused() {
+fn what_has_no_flat_is_refused() {
     for kind in [Kind::NoFlat, Kind::OneSide] {
         let refused = (0..5).filter(|&seed| found(&made(kind, seed)).is_err()).count();
         assert!(refused >= 4, "{kind:?}: {refused} of 5");
@@ -106,7 +106,7 @@ fn what_has_nothing_beside_is_refused() {
 #[test]
 fn what_is_no_scar_is_refused() {
     let changed = |change: &dyn Fn(&mut [f64; 2])| {
-        let mut own = made(Kind::FlatBeside, 1);
+        let mut own = made(Kind::Plain, 1);
         own.readings.iter_mut().for_each(change);
         found(&own).unwrap_err()
     };
@@ -114,12 +114,12 @@ fn what_is_no_scar_is_refused() {
     assert!(!matches!(upside_down, NoScar::Few { .. }), "{upside_down}");
     assert_eq!(changed(&|own| own[1] = 1e-7 * (1e5 * own[0]).sin()), NoScar::Nothing);
     assert_eq!(changed(&|own| own[0] *= 1e-3), NoScar::Nothing);
-    let mut few = made(Kind::FlatBeside, 1);
+    let mut few = made(Kind::Plain, 1);
     few.readings.truncate(12);
     assert_eq!(found(&few).unwrap_err(), NoScar::Few { readings: 12, least: 18 });
 }
 
-/// Five to thirty blocks across, and next to no noise and misfit: the model between them tells as much as they do.
+/// Five to thirty blocks across, and next to no noise and misfit: the model fills what lies between them.
 #[test]
 fn few_readings_across_a_scar_tell_its_section() {
     let width = (12.0 * 20e-3 * made::SECTION).cbrt();
@@ -150,7 +150,7 @@ fn few_readings_across_a_scar_tell_its_section() {
 #[test]
 fn holes_in_a_scar_make_its_section_uncertain() {
     for (from, to, least) in [(-0.2, 0.0, 0.004), (0.6, 0.8, 0.001)] {
-        let mut own = made(Kind::FlatBeside, 4);
+        let mut own = made(Kind::Plain, 4);
         let whole = found(&own).unwrap();
         let half = 0.5 * (whole.extent[1] - whole.extent[0]);
         let within = |reading: &[f64; 2]| {
@@ -162,12 +162,12 @@ fn holes_in_a_scar_make_its_section_uncertain() {
         assert!((scar.section.value - own.section).abs() < scar.section.expanded, "{scar:?}");
         assert!(scar.section.standard > least * own.section && scar.unseen > 0.0, "{scar:?}");
     }
-    let mut own = made(Kind::FlatBeside, 4);
+    let mut own = made(Kind::Plain, 4);
     own.readings.retain(|reading| (reading[0] - own.shift).abs() > 0.3e-3);
     assert!(matches!(found(&own), Err(NoScar::Unseen { .. })), "{:?}", found(&own));
 }
 
-/// Heights in steps and no noise: all of them may be rounded alike.
+/// Heights in steps and no noise: all of them may be rounded together.
 #[test]
 fn rounded_heights_are_as_uncertain_as_their_step() {
     let width = (12.0 * 20e-3 * made::SECTION).cbrt();
@@ -187,7 +187,7 @@ fn rounded_heights_are_as_uncertain_as_their_step() {
 /// A shape of a run that has gone a thirtieth or thirty times as far says how far it should have gone.
 #[test]
 fn a_shape_of_another_size_is_refused() {
-    let own = made(Kind::FlatBeside, 1);
+    let own = made(Kind::Plain, 1);
     for factor in [1.0 / 30.0, 30.0] {
         let places: Vec<f64> = (-400..=400).map(|i| 1e-5 * f64::from(i)).collect();
         let worn = places.iter().map(|x| ring(*x, made::SECTION * factor)).collect();
