@@ -29,6 +29,9 @@ pub enum Elasticity {
     /// Its own shape and supports.
     #[default]
     BoundaryElements,
+    /// Its own shape and supports, as a half-space with an image field: the zone lies on a flat face, of which the mesh says nothing,
+    /// and the frame divides it. The mesh is coarse; halved once, it says how far the image field is off.
+    Image,
     /// A half-space in its place: the mesh gives the pairs and their gap only.
     HalfSpace,
 }

@@ -184,6 +184,11 @@ impl Body {
         Self { finite: Some(finite), ..self }
     }
 
+    /// Whether it deforms as a half-space with an image field.
+    pub fn has_image(&self) -> bool {
+        self.finite.as_ref().is_some_and(|finite| finite.elasticity == Elasticity::Image)
+    }
+
     /// Curvatures 1/R along x and y (1/m) of the surface in the middle of the contact, positive where it is
     /// convex: of the profile on a plane, or on the mesh. `None` where they are not known.
     pub fn curvatures(&self) -> Option<[f64; 2]> {

@@ -8,7 +8,7 @@ use std::ops::Deref;
 
 use super::slip::precondition_by_share;
 use super::{Coarser, Compliance, PairStatus, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Flow, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::friction::Map;
 
 /// A compliance or a slip map, seen through the map of a friction law.
@@ -53,8 +53,8 @@ impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
         });
     }
 
-    fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        let inner = self.inner.within(elements)?;
+    fn within(&self, part: &Part) -> Option<Box<dyn SlipMap + '_>> {
+        let inner = self.inner.within(part)?;
         Some(Box::new(Mapped::new(inner, self.map)))
     }
 
@@ -99,6 +99,12 @@ impl<P: Deref<Target: Compliance> + Debug + Send + Sync> Compliance for Mapped<P
 
     fn balance(&self) -> Vec<(usize, f64, f64)> {
         self.inner.balance()
+    }
+
+    fn missed(&self, tractions: &VectorField) -> Option<f64> {
+        let VectorField { t1, t2, n } = tractions;
+        let [t1, t2] = self.map.images([t1, t2]);
+        self.inner.missed(&VectorField { t1, t2, n: n.clone() })
     }
 
     fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {

@@ -5,6 +5,7 @@
 pub mod bem;
 mod dense;
 pub mod half_space;
+mod image;
 mod mapped;
 mod slip;
 mod worn_lines;
@@ -20,6 +21,7 @@ pub use bem::contact::ContactError;
 pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
 pub use half_space::{HalfSpace, Periodic};
+pub use image::Image;
 pub use mapped::Mapped;
 pub use slip::{Coarser, PairStatus, SlipMap};
 pub use worn_lines::WornLines;
@@ -72,6 +74,18 @@ pub trait Compliance: Debug + Send + Sync {
         vec![]
     }
 
+    /// By how much the displacements of pairs under tractions (Pa) may be off because of the compliance itself, relative to the
+    /// largest of them, as far as that is known; `None` where only the size of elements counts.
+    fn missed(&self, _tractions: &VectorField) -> Option<f64> {
+        None
+    }
+
+    /// The least normal displacement (m) that what is smooth in it adds at the rim of a uniform frame, and so about as much
+    /// beyond, under pressures (Pa).
+    fn at_the_rim(&self, _pressure: &[f64]) -> f64 {
+        0.0
+    }
+
     /// How tangential tractions change the slip in the passage to each pair; where passages are unequal, in one of
     /// the [mean](Flow::advance) length at the rate of each pair.
     fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {
@@ -96,9 +110,9 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
-    /// The same bodies under so many elements of the same size along x and y, for a problem of its own; `None` where that is
+    /// The same bodies under the elements of another frame, of the same size, for a problem of its own; `None` where that is
     /// not possible.
-    fn on(&self, _elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
+    fn on(&self, _frame: &ContactFrame) -> Option<Arc<dyn Compliance>> {
         None
     }
 
@@ -108,7 +122,8 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
-    /// Where it has parts: the least normal displacement (m) that a unit pressure (Pa) on a pair makes of pairs of a
+    /// Where it has parts: the least normal displacement (m) that a unit pressure (Pa) on a pair makes, apart from what is
+    /// [smooth](Self::at_the_rim), of pairs of a
     /// uniform frame that are at most so many elements away along x and y; on pairs that bear no pressure themselves.
     fn least_displacement(&self, _away: [usize; 2]) -> f64 {
         f64::NEG_INFINITY

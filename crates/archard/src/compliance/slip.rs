@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use serde::{Deserialize, Serialize};
 
 use super::Compliance;
-use crate::frame::{ContactFrame, Flow, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::numerics::vector::{map, update};
 
 /// A linear map from tangential tractions (Pa) to the slip (m) they take away.
@@ -33,8 +33,8 @@ pub trait SlipMap: Debug + Send + Sync {
         }
     }
 
-    /// The same map on a frame of fewer elements; `None` where that is not possible.
-    fn within(&self, _elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
+    /// The same map on a part of the frame; `None` where that is not possible.
+    fn within(&self, _part: &Part) -> Option<Box<dyn SlipMap + '_>> {
         None
     }
 

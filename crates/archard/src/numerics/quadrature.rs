@@ -24,6 +24,17 @@ pub fn gauss_legendre(points: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// The Legendre polynomials of the first degrees.
+pub fn legendre_polynomials(count: usize, x: f64) -> Vec<f64> {
+    let mut values = vec![1.0, x];
+    for k in 1..count {
+        let n = k as f64;
+        values.push(((2.0 * n + 1.0) * x * values[k] - n * values[k - 1]) / (n + 1.0));
+    }
+    values.truncate(count);
+    values
+}
+
 /// The Legendre polynomial of that degree and its derivative, away from the ends.
 fn legendre(degree: usize, x: f64) -> (f64, f64) {
     let (mut last, mut value) = (0.0, 1.0);

@@ -7,7 +7,7 @@ use super::refusal::Refused;
 use super::setup::Simulation;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact};
-use crate::compliance::{Compliance, HalfSpace, Periodic};
+use crate::compliance::{Compliance, HalfSpace, Image, Periodic};
 use crate::frame::{ContactFrame, Rectangle};
 use crate::friction::Friction;
 use crate::motion::{Planned, Schedule};
@@ -188,11 +188,15 @@ impl Builder {
             contact,
             periodic,
         } = self;
-        let kernel = |frame: ContactFrame| -> (ContactFrame, Arc<dyn Compliance>) {
+        let kernel = |frame: ContactFrame| -> Result<(ContactFrame, Arc<dyn Compliance>), Refused> {
+            if bodies.iter().any(Body::has_image) {
+                let compliance = Image::new(bodies.each_ref(), &frame)?;
+                return Ok((frame, Arc::new(compliance)));
+            }
             let materials = bodies.each_ref().map(|body| body.material.as_ref());
             let layers = bodies.each_ref().map(|body| &body.layers[..]);
             let [along, across] = frame.size();
-            if periodic {
+            Ok(if periodic {
                 let wavelength = if frame.is_line() { along } else { along.max(across) };
                 let depths = bodies.each_ref().map(|body| body.depth.unwrap_or(wavelength));
                 let compliance = Periodic::new(materials, layers, depths, &frame);
@@ -204,7 +208,7 @@ impl Builder {
             } else {
                 let compliance = HalfSpace::layered(materials, layers, &frame);
                 (frame, Arc::new(compliance))
-            }
+            })
         };
         let (frame, compliance): (_, Arc<dyn Compliance>) = match contact {
             Touch::Given(frame, compliance) => (frame, compliance),
@@ -214,11 +218,11 @@ impl Builder {
             }
             Touch::Line(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                kernel(ContactFrame::line(rectangle, elements, profiles)?)
+                kernel(ContactFrame::line(rectangle, elements, profiles)?)?
             }
             Touch::Frame(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                kernel(ContactFrame::uniform(rectangle, elements, profiles)?)
+                kernel(ContactFrame::uniform(rectangle, elements, profiles)?)?
             }
         };
         if periodic {
@@ -284,8 +288,7 @@ impl Builder {
                     );
                 }
                 Some(material)
-                    if material.poisson == 0.5
-                        && finite.elasticity == Elasticity::BoundaryElements =>
+                    if material.poisson == 0.5 && finite.elasticity != Elasticity::HalfSpace =>
                 {
                     return wrong(
                         "poisson",
@@ -296,13 +299,31 @@ impl Builder {
             }
         }
         let meshed = self.bodies.iter().any(|body| body.finite.is_some());
+        let images = self.bodies.iter().any(Body::has_image);
+        if images && self.bodies.iter().any(|body| body.finite.is_some() && !body.has_image()) {
+            return wrong(
+                "elasticity",
+                "a body with an image field touches a half-space, a rigid body or one with an image field",
+            );
+        }
         match &self.contact {
             Touch::Given(..) | Touch::Meshed if self.periodic => {
                 wrong("periodic", "surfaces repeat themselves with a frame or a line: give one")
             }
-            Touch::Frame(..) | Touch::Line(..) if meshed => {
+            Touch::Frame(..) if images && self.periodic => {
+                wrong("periodic", "a body of finite shape does not repeat itself")
+            }
+            Touch::Meshed if images => wrong(
+                "frame",
+                "the contact zone of a body with an image field is missing: give the frame's size and elements",
+            ),
+            Touch::Frame(..) | Touch::Line(..) if meshed && !images => {
                 wrong("frame", "the pairs are the nodes of the mesh: leave the frame out")
             }
+            Touch::Line(..) if images => wrong(
+                "line",
+                "a body of finite shape touches on a frame: give its size along y as well",
+            ),
             Touch::Frame(rectangle, elements) => {
                 admit(rectangle)?;
                 elements.iter().try_for_each(|&count| ELEMENTS.admit(count as f64).map(|_| ()))

@@ -200,7 +200,7 @@ impl Simulation {
         Some(Self {
             problem: ContactProblem {
                 bodies: problem.bodies.clone(),
-                compliance: problem.compliance.on(frame.elements())?,
+                compliance: problem.compliance.on(&frame)?,
                 frame,
                 friction: problem.friction.clone(),
                 motion: problem.motion.clone(),

@@ -121,18 +121,20 @@ impl Surroundings {
             low: [columns.start as isize, rows.start as isize],
             high: [columns.end as isize - 1, rows.end as isize - 1],
         };
-        let close = self.blocks.partition_point(|(least, _)| *least < state.approach);
+        // What is smooth brings surfaces together or apart beyond the frame as on its rim.
+        let approach = state.approach - problem.compliance.at_the_rim(&state.pressure);
+        let close = self.blocks.partition_point(|(least, _)| *least < approach);
         let cells = Cells::of(elements, &state.pressure);
         let touches = |&(least, block): &(f64, Block)| {
             let open = |apart: f64, Block { low, high }: Block| {
                 cells.leave_open(apart, &*problem.compliance, [low, high])
             };
-            if open(least - state.approach, block) {
+            if open(least - approach, block) {
                 return None;
             }
             let touches = |place: &[isize; 2]| {
                 let gap = gap(problem, *place) - self.touch + worn_beyond(state, *place);
-                gap.is_finite() && !open(gap - state.approach, Block::of(*place))
+                gap.is_finite() && !open(gap - approach, Block::of(*place))
             };
             block.places().filter(touches).map(Block::of).reduce(Block::and)
         };

@@ -77,6 +77,54 @@ pub(super) struct Axis {
     pub zone: Range<usize>,
 }
 
+/// A field of a load on the middle part of an axis, seen from beside it: it varies over distances from the load.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fading {
+    /// Half the length of the middle part (m).
+    pub middle: f64,
+    /// How far away it is seen from (m).
+    pub distance: f64,
+    /// Width of an element over the distance from the load.
+    pub share: f64,
+    /// Largest width of an element (m).
+    pub widest: f64,
+}
+
+impl Fading {
+    /// Elements up to a place (m): the integral of one over their width.
+    fn stretched(self, place: f64) -> f64 {
+        let Self { middle, distance, share, widest } = self;
+        let width = share * distance;
+        if width >= widest {
+            return place / widest;
+        }
+        let capped = distance * ((widest / width).powi(2) - 1.0).sqrt();
+        let beyond = (place - middle).max(0.0);
+        let graded = (beyond.min(capped) / distance).asinh() / share;
+        place.min(middle) / width + graded + (beyond - capped).max(0.0) / widest
+    }
+
+    /// The place (m) up to which there are so many elements.
+    fn place(self, elements: f64) -> f64 {
+        let Self { middle, distance, share, widest } = self;
+        let width = share * distance;
+        if width >= widest {
+            return elements * widest;
+        }
+        let inner = middle / width;
+        if elements <= inner {
+            return elements * width;
+        }
+        let capped = distance * ((widest / width).powi(2) - 1.0).sqrt();
+        let graded = distance * (share * (elements - inner)).sinh();
+        if graded <= capped {
+            return middle + graded;
+        }
+        let rest = elements - inner - (capped / distance).asinh() / share;
+        middle + capped + rest * widest
+    }
+}
+
 /// The middle part of an axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Middle {
@@ -116,6 +164,29 @@ impl Axis {
     pub fn even(length: f64, elements: usize, mirrored: bool) -> Self {
         let growth = Growth { ratio: 2.0, widest: length };
         Self::graded(Middle { length, elements }, length, growth, mirrored)
+    }
+
+    /// An axis of that length (m), symmetric about its middle, in elements that follow a field.
+    pub fn fading(length: f64, field: Fading, mirrored: bool) -> Self {
+        let end = field.stretched(0.5 * length);
+        let count = (if mirrored { end } else { 2.0 * end } - 1e-9).ceil().max(1.0) as usize;
+        let place = |step: usize| {
+            let share = step as f64 / count as f64;
+            let at = if mirrored { share } else { 2.0 * share - 1.0 };
+            if at.abs() == 1.0 {
+                0.5 * at * length
+            } else {
+                at.signum() * field.place(at.abs() * end)
+            }
+        };
+        Self { places: (0..=count).map(place).collect(), zone: 0..0 }
+    }
+
+    /// The same from zero on.
+    pub fn fading_from_zero(length: f64, field: Fading) -> Self {
+        let Self { mut places, zone } = Self::fading(2.0 * length, field, true);
+        places[0] = 0.0;
+        Self { places, zone }
     }
 
     /// The largest width of an element (m).

@@ -1,6 +1,6 @@
 //! A rectangular block, touching with the middle of its top.
 
-use super::axis::{Axis, places};
+use super::axis::{Axis, Fading, places};
 use super::builder::Builder;
 use super::contact::{self, Contact, Divisions, ENOUGH, Layout, MOST_ELEMENTS};
 use super::free::{self, Supported};
@@ -44,6 +44,8 @@ struct Block {
 const ACROSS: [[&str; 2]; 3] = [["left", "right"], ["front", "back"], ["bottom", "top"]];
 /// Elements beyond which the default mesh is as coarse as bending allows.
 const MANY: usize = 1000;
+/// Width of coarse elements over the distance from the zone.
+const SHARE: f64 = 0.8;
 
 impl Shape for Block {
     fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError> {
@@ -77,6 +79,32 @@ impl Shape for Block {
             along.fold(0.0, f64::max) / self.size[axis]
         };
         (0..3).filter(|&axis| self.bends(axis, held)).map(beside).reduce(f64::max)
+    }
+
+    fn coarse(&self, size: [f64; 2], mirrored: [bool; 2], held: &Supported) -> Option<Meshed> {
+        let [beside_x, beside_y] = [0, 1].map(|axis| 0.5 * (self.size[axis] - size[axis]));
+        if beside_x <= 0.0 || beside_y <= 0.0 {
+            return None;
+        }
+        let distances =
+            [beside_y.min(self.size[2]), beside_x.min(self.size[2]), beside_x.min(beside_y)];
+        // Half as long, elements bend as they have to.
+        let longest = self.longest(held).map(|longest| 2.0 * longest);
+        let share: f64 = std::env::var("KAPPA").ok().and_then(|k| k.parse().ok()).unwrap_or(SHARE);
+        let field = |axis: usize, middle: f64| Fading {
+            middle: 0.5 * middle,
+            distance: distances[axis],
+            share,
+            widest: longest[axis],
+        };
+        let [x, y] = [0, 1]
+            .map(|axis| Axis::fading(self.size[axis], field(axis, size[axis]), mirrored[axis]));
+        let depths = Axis::fading_from_zero(self.size[2], field(2, 0.0));
+        let z: Vec<f64> = depths.places.iter().rev().map(|depth| -depth).collect();
+        let mut builder = Builder::new(self.size.into_iter().fold(0.0, f64::max));
+        let axes = [&x.places[..], &y.places, &z];
+        tensor::block(&mut builder, axes, mirrored, SIDES, |place| place);
+        Some(Meshed { mesh: builder.finish(), zone: Zone::default(), placed: false })
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {

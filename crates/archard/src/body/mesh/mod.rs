@@ -16,6 +16,7 @@ mod contact;
 mod crossing;
 mod curvatures;
 mod cylinder;
+mod divided;
 mod file;
 mod free;
 mod listed;
@@ -115,6 +116,12 @@ pub trait Shape: Debug + Send + Sync {
 
     /// The longest element along a free span beside the thickness that bends there; `None` where nothing bends.
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
+
+    /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that size (m) about the origin; `None` where
+    /// the rectangle lies on no flat face.
+    fn coarse(&self, _size: [f64; 2], _mirrored: [bool; 2], _held: &Supported) -> Option<Meshed> {
+        None
+    }
 
     /// Curvatures 1/R along x and y (1/m) in the middle of the zone, positive where it is convex; `None` where
     /// they are not known.

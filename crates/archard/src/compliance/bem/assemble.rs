@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Displacements u that are known and tractions t that are given go to the right-hand side, tractions of
-//! contact to columns of their own. The block of a node with itself follows from the displacement of a
+//! contact to columns of their own, and other loads to columns beside that of what is known. The block of a node with itself follows from the displacement of a
 //! rigid body, under which no traction acts. Nodes that mirror planes make act through images: the image of
 //! an element is the element seen from the image of the node.
 
@@ -22,6 +22,7 @@ use super::curvature::{Share, curvatures};
 use super::element::CURVATURES;
 use super::integrate::NODES;
 use super::kelvin::{Evaluations, Kelvin};
+use super::loads::Loads;
 use super::making::{Parts, Told};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
@@ -35,6 +36,7 @@ use crate::numerics::large::{Large, NoMemory};
 pub(super) struct System {
     pub matrix: Large<f64>,
     pub contact: Large<f64>,
+    /// What is known, and behind it a column for each of other loads.
     pub fixed: Mat<f64>,
     /// How often Kelvin's solution was evaluated.
     pub evaluations: Evaluations,
@@ -55,6 +57,8 @@ pub(super) struct Assembly<'a> {
     pub loaded: Vec<bool>,
     /// What bends the displacements of an element between its nodes.
     pub curvatures: Vec<Vec<Share>>,
+    /// Other loads, each by itself.
+    pub loads: Option<&'a Loads>,
 }
 
 impl<'a> Assembly<'a> {
@@ -81,7 +85,16 @@ impl<'a> Assembly<'a> {
             images: surface.images(),
             loaded,
             curvatures: curvatures(surface),
+            loads: None,
         }
+    }
+
+    /// The same with other loads, each by itself.
+    pub fn under(mut self, loads: &'a Loads) -> Self {
+        for (face, loaded) in self.loaded.iter_mut().enumerate() {
+            *loaded |= self.surface.tractions_of(face).any(|traction| loads.loads(traction));
+        }
+        Self { loads: Some(loads), ..self }
     }
 
     /// Makes the equations; blocks of nodes in parallel.
@@ -92,7 +105,8 @@ impl<'a> Assembly<'a> {
         let unknowns = self.surface.unknowns();
         let mut matrix = Large::zeros(unknowns, unknowns)?;
         let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len())?;
-        let mut fixed = Mat::zeros(unknowns, 1);
+        let loads = self.loads.map_or(0, Loads::count);
+        let mut fixed = Mat::zeros(unknowns, 1 + loads);
         let strips = matrix.as_mut().par_row_chunks_mut(3 * BLOCK);
         let contacts = contact.as_mut().par_row_chunks_mut(3 * BLOCK);
         let known = fixed.as_mut().par_row_chunks_mut(3 * BLOCK);
@@ -132,7 +146,7 @@ impl Rows<'_> {
 
     /// Takes the integrals of an element over into the columns they belong to.
     fn write(&mut self, face: usize, sums: &Stock) {
-        let Assembly { surface, conditions, unit, .. } = self.assembly;
+        let Assembly { surface, conditions, unit, loads, .. } = self.assembly;
         let count = surface.patches[face].element.nodes.len();
         let rows = 9 * BLOCK;
         let all = sums.tractions.chunks_exact(rows).zip(sums.displacements.chunks_exact(rows));
@@ -146,10 +160,18 @@ impl Rows<'_> {
                 condition.basis.iter().zip(condition.given).enumerate()
             {
                 match given {
-                    Given::Traction(0.0) => {}
                     Given::Traction(traction) => {
-                        let column = self.fixed.as_mut().col_mut(0);
-                        add(displacements, *unit_vector, unit * traction, column);
+                        let others = loads.into_iter().flat_map(|loads| {
+                            loads.tractions[3 * local.traction + direction].iter()
+                        });
+                        for (column, traction) in
+                            std::iter::once(&traction).chain(others).enumerate()
+                        {
+                            if *traction != 0.0 {
+                                let column = self.fixed.as_mut().col_mut(column);
+                                add(displacements, *unit_vector, unit * traction, column);
+                            }
+                        }
                     }
                     Given::Contact => {
                         if let Some(column) = conditions.contact_column[local.traction] {
@@ -202,11 +224,18 @@ impl Rows<'_> {
                     let column = self.matrix.as_mut().col_mut(first + direction);
                     add(values, image * *unit_vector, sign, column);
                 }
-                Some(known) if known.displacement != 0.0 => {
-                    let factor = -sign * known.displacement;
-                    add(values, image * *unit_vector, factor, self.fixed.as_mut().col_mut(0));
+                Some(known) => {
+                    let others = self.assembly.loads.into_iter();
+                    let others =
+                        others.flat_map(|loads| loads.displacements[3 * node + direction].iter());
+                    let all = std::iter::once(&known.displacement).chain(others);
+                    for (column, displacement) in all.enumerate() {
+                        if *displacement != 0.0 {
+                            let column = self.fixed.as_mut().col_mut(column);
+                            add(values, image * *unit_vector, -sign * displacement, column);
+                        }
+                    }
                 }
-                Some(_) => {}
             }
         }
     }

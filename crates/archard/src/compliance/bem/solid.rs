@@ -7,6 +7,7 @@ use super::assemble::{Assembly, System};
 use super::balance::Balance;
 use super::conditions::{Condition, Conditions, Given};
 use super::kelvin::{Evaluations, Kelvin};
+use super::loads::{Loaded, Loads};
 use super::making::{Stage, Told};
 use super::surface::{Surface, TractionNode};
 use crate::body::Material;
@@ -95,6 +96,24 @@ impl<'a> Assembled<'a> {
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
         let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system(told)?;
+        Ok(Self { surface, conditions, system, unit })
+    }
+
+    /// Assembles the equations with other loads, each by itself, beside what is known.
+    ///
+    /// # Errors
+    /// If there is no memory for them.
+    pub fn under(
+        (surface, conditions): (&'a Surface, &'a Conditions),
+        material: &Material,
+        tolerance: f64,
+        loads: &Loads,
+    ) -> Result<Self, NoMemory> {
+        let length = length_of(surface);
+        let unit = length / material.shear_modulus();
+        let kelvin = Kelvin::new(material.poisson, length);
+        let assembly = Assembly::new(surface, conditions, (kelvin, unit), tolerance);
+        let system = assembly.under(loads).system(Told::default())?;
         Ok(Self { surface, conditions, system, unit })
     }
 
@@ -247,6 +266,13 @@ impl<'a> Solid<'a> {
             loads.extend([first, second].map(|axis| load(2, &|place| place.dot(axis))));
         }
         loads
+    }
+
+    /// What loads beside what is known make of the body, each by itself.
+    pub fn loaded(self) -> Loaded {
+        let Self { factors, mut fixed, unit, .. } = self;
+        factors.solve_in_place(fixed.as_mut());
+        Loaded { sought: fixed, unit }
     }
 
     /// What every traction of contact makes of the body.

@@ -45,7 +45,7 @@ pub struct HalfSpace {
     tangential_inverse: OnceLock<(Convolution, [Spectrum; 3])>,
     /// The same half-spaces under elements of twice the size, and under parts of the elements, the one last asked for
     /// at the end.
-    coarser: OnceLock<Box<HalfSpace>>,
+    coarser: OnceLock<Arc<HalfSpace>>,
     parts: Mutex<Vec<Arc<HalfSpace>>>,
 }
 
@@ -171,12 +171,12 @@ impl HalfSpace {
     }
 
     /// The same half-spaces under elements of twice the size, one more where their number is odd.
-    fn on_coarser(&self) -> &HalfSpace {
-        self.coarser.get_or_init(|| Box::new(self.beside(self.influence.coarser())))
+    pub(super) fn on_coarser(&self) -> &Arc<HalfSpace> {
+        self.coarser.get_or_init(|| Arc::new(self.beside(self.influence.coarser())))
     }
 
     /// The same half-spaces under that many elements, made anew where none of the last parts had as many.
-    fn part(&self, elements: [usize; 2]) -> Arc<HalfSpace> {
+    pub(super) fn part(&self, elements: [usize; 2]) -> Arc<HalfSpace> {
         let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
         let known = parts.iter().position(|part| part.influence.elements() == elements);
         let part = match known {
@@ -253,12 +253,13 @@ impl Compliance for HalfSpace {
         Some(Box::new(WholeOrPart::Part(self.part(part.size()))))
     }
 
-    fn on(&self, elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
+    fn on(&self, frame: &ContactFrame) -> Option<Arc<dyn Compliance>> {
+        let elements = frame.elements();
         self.influence.reaches(elements).then(|| self.part(elements) as Arc<dyn Compliance>)
     }
 
     fn coarser(&self) -> Option<&dyn Compliance> {
-        Some(self.on_coarser())
+        Some(&**self.on_coarser())
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::{HalfSpace, WholeOrPart};
 use crate::compliance::{Coarser, PairStatus, SlipMap};
-use crate::frame::Direction;
+use crate::frame::{Direction, Part};
 use crate::numerics::convolution::Difference;
 
 /// What stands for the map on slipping pairs, in self terms: on the diagonal, and what is passed on from the pair ahead. A choice
@@ -77,8 +77,8 @@ impl SlipMap for Rolling<'_> {
         }
     }
 
-    fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        let part = WholeOrPart::Part(self.half_space.part(elements));
+    fn within(&self, part: &Part) -> Option<Box<dyn SlipMap + '_>> {
+        let part = WholeOrPart::Part(self.half_space.part(part.size()));
         Some(Box::new(Rolling::on(part, self.direction)))
     }
 

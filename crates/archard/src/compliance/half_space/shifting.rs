@@ -2,6 +2,7 @@
 
 use super::{HalfSpace, WholeOrPart};
 use crate::compliance::{Coarser, PairStatus, SlipMap, slip::precondition_by_share};
+use crate::frame::Part;
 
 /// The tangential compliance of half-spaces.
 #[derive(Debug)]
@@ -39,8 +40,8 @@ impl SlipMap for Shifting<'_> {
         });
     }
 
-    fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        Some(Box::new(Self::on(WholeOrPart::Part(self.half_space.part(elements)))))
+    fn within(&self, part: &Part) -> Option<Box<dyn SlipMap + '_>> {
+        Some(Box::new(Self::on(WholeOrPart::Part(self.half_space.part(part.size())))))
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {

@@ -18,7 +18,7 @@ pub(super) fn solve(
     let contact = extent(step.elements, |pair| step.limit[pair] > 0.0);
     let part = contact.and_then(|contact| Part::around(step.elements, &contact, [MARGIN; 2]));
     let part = part.and_then(|part| {
-        let map = step.map.within(part.size())?;
+        let map = step.map.within(&part)?;
         Some((part, map))
     });
     let Some((part, map)) = part else { return turning::solve(solver, step, (ties, turns), start) };

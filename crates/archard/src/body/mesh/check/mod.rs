@@ -82,7 +82,7 @@ impl Mesh {
     }
 
     /// The longest side of the box around the vertices (m).
-    pub(super) fn extent(&self) -> f64 {
+    pub(crate) fn extent(&self) -> f64 {
         let side = |axis: usize| {
             let values = self.vertices.iter().map(|place| place[axis]);
             let (low, high) = values

@@ -83,6 +83,9 @@ pub enum ContactError {
         /// The largest angle between normals (degrees).
         angle: f64,
     },
+    /// A frame that reaches beyond the flat face of a body.
+    #[error("the frame reaches beyond the flat face of a body of finite shape: make it smaller")]
+    BesideTheFace,
     /// A profile that ends within the frame.
     #[error(transparent)]
     OffTheSurface(#[from] OffTheSurface),

@@ -1,0 +1,327 @@
+//! What the ends of a body change of the half-space below its flat zone: an image field, which is smooth.
+//!
+//! Let h and T be displacements and tractions of a half-space under a load of the zone. The body's field is h + c, where c has no
+//! traction on the face of the zone, -T on the other free faces and -h where the body is held: smooth data, for which a coarse mesh
+//! does. By Betti's theorem the displacement of the zone under a load p, seen by a load q, is that of the half-space and
+//!
+//! ```text
+//! K_qp = integral over what is held of t_p . h_q  -  integral over what is free of T_q . u_p
+//! ```
+//!
+//! with the body's own u and t, so that nothing is evaluated in the zone. Loads are polynomials on the zone.
+
+mod field;
+mod zone;
+
+use std::sync::OnceLock;
+
+use faer::Mat;
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+
+use super::contact::supported;
+use super::loads::{Loaded, Loads};
+use super::{Assembled, Conditions, Given, Surface, Undetermined};
+use crate::body::mesh::Mesh;
+use crate::body::{Finite, Material};
+use crate::frame::Rectangle;
+use crate::numerics::SAME;
+use crate::numerics::dense::Unsolved;
+use crate::numerics::quadrature::gauss_legendre;
+
+use field::HalfSpaceField;
+pub use zone::Polynomials;
+
+/// Points of a rule along a side at most: places nearer to the zone than they resolve are as good as it.
+const MOST_POINTS: usize = 64;
+/// Degrees at most: nearer to an edge an image field is no polynomial.
+pub const MOST_DEGREES: usize = 12;
+
+/// Why there is no image field.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoImage {
+    /// A body that is not held.
+    #[error(transparent)]
+    Undetermined(#[from] Undetermined),
+    /// Equations without a solution.
+    #[error(transparent)]
+    Unsolved(#[from] Unsolved),
+}
+
+/// A body whose zone lies on the flat face z = 0, below which it is, meshed without regard to the zone.
+#[derive(Debug, Clone, Copy)]
+pub struct Imaged<'a> {
+    pub finite: &'a Finite,
+    pub mesh: &'a Mesh,
+    pub material: &'a Material,
+}
+
+/// The degree of polynomials that an image field on a rectangle takes to be met to a tolerance, relative to what it is itself: it has
+/// no singularity nearer than the mirror images of the rectangle in the planes of the body's other faces.
+pub fn degree(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle, tolerance: f64) -> usize {
+    let [low, size] = [rectangle.corner(), rectangle.size];
+    let signs = |mirrored: bool| if mirrored { vec![1.0, -1.0] } else { vec![1.0] };
+    let [along_x, along_y] = mirrored.map(signs);
+    let images = along_x.iter().flat_map(|x| along_y.iter().map(|y| DVec3::new(*x, *y, 1.0)));
+    let images: Vec<DVec3> = images.collect();
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
+        .map(|[x, y]| DVec3::new(low[0] + x * size[0], low[1] + y * size[1], 0.0));
+    let nearest = (0..mesh.faces.len()).flat_map(|face| {
+        let (place, normal) = (DVec3::from(mesh.centre(face)), DVec3::from(mesh.area_vector(face)));
+        let normal = normal.normalize_or_zero();
+        let beside = normal.z < 1.0 - SAME;
+        let seen = images.iter().filter(move |_| beside);
+        seen.flat_map(move |image| {
+            let (place, normal) = (*image * place, *image * normal);
+            corners.map(|corner| {
+                let mirrored = corner + 2.0 * normal.dot(place - corner) * normal;
+                zone::ratio(rectangle, mirrored)
+            })
+        })
+    });
+    let ratio = nearest.fold(f64::INFINITY, f64::min);
+    let degree = (tolerance.recip().ln() / ratio.ln()).ceil();
+    if degree.is_finite() { (degree.max(1.0) as usize).min(MOST_DEGREES) } else { MOST_DEGREES }
+}
+
+/// Whether the face z = 0 of a body holds a rectangle: its corners and the middles of its sides.
+pub fn holds(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle) -> bool {
+    let top = |face: &usize| {
+        let place = DVec3::from(mesh.centre(*face));
+        on_the_face(place, DVec3::from(mesh.area_vector(*face)).normalize_or_zero())
+    };
+    let faces: Vec<Vec<DVec3>> = (0..mesh.faces.len())
+        .filter(top)
+        .map(|face| {
+            let corners = mesh.faces[face].corners.as_slice().iter();
+            corners.map(|&corner| mesh.vertices[corner].into()).collect()
+        })
+        .collect();
+    let near = SAME * mesh.extent();
+    let on_one = |[along, across]: [f64; 2]| {
+        let place = [along, across].into_iter().enumerate().map(|(axis, share)| {
+            let place = rectangle.centre[axis] + 0.5 * share * rectangle.size[axis];
+            if mirrored[axis] { place.abs() } else { place }
+        });
+        let place: Vec<f64> = place.collect();
+        let place = DVec3::new(place[0], place[1], 0.0);
+        faces.iter().any(|corners| super::distance(place, corners) <= near)
+    };
+    let steps = [-1.0, 0.0, 1.0];
+    steps.iter().all(|&along| steps.iter().all(|&across| on_one([along, across])))
+}
+
+impl Imaged<'_> {
+    /// K (m/N): row and column d m + i for the i-th of m polynomials as a traction along axis d. Where planes of symmetry halve the
+    /// body, what is not symmetric is zero.
+    ///
+    /// # Errors
+    /// If the body is not held, or its equations have no solution.
+    pub fn compliance(&self, polynomials: &Polynomials) -> Result<Mat<f64>, NoImage> {
+        let Self { finite, mesh, material } = *self;
+        let surface = Surface::new(mesh, finite.interpolation, finite.mirrored);
+        let conditions = Conditions::new(&surface, |node| supported(finite, node), &[])?;
+        let columns = Columns::new(polynomials, finite.mirrored);
+        let fields = self.fields(&surface, polynomials, &columns);
+        let loads = loads(&surface, &conditions, &fields);
+        let equations =
+            Assembled::under((&surface, &conditions), material, finite.tolerance, &loads)
+                .map_err(Unsolved::from)?;
+        let loaded = equations.factorise()?.loaded();
+        let work = work(&surface, &conditions, (&fields, &loads, &loaded));
+        let size = 3 * columns.count;
+        let mut compliance = Mat::zeros(size, size);
+        for (row, &q) in columns.kept.iter().enumerate() {
+            for (column, &p) in columns.kept.iter().enumerate() {
+                compliance[(q, p)] = 0.5 * (work[(row, column)] + work[(column, row)]);
+            }
+        }
+        Ok(compliance)
+    }
+
+    /// Displacements (m) and tractions (Pa) of the half-space at every node of tractions, under every load that is kept.
+    fn fields(
+        &self,
+        surface: &Surface,
+        polynomials: &Polynomials,
+        columns: &Columns,
+    ) -> Vec<Field> {
+        let field = HalfSpaceField::new(self.material);
+        let rectangle = &polynomials.rectangle;
+        let rules: Vec<OnceLock<Rule>> = (0..=MOST_POINTS).map(|_| OnceLock::new()).collect();
+        let at = |node: &super::TractionNode| {
+            if on_the_face(node.place, node.normal) {
+                return Field::nothing(columns.kept.len());
+            }
+            let points = points(zone::ratio(rectangle, node.place), polynomials.degree);
+            let rule = rules[points].get_or_init(|| Rule::new(polynomials, points));
+            rule.field(node.place, node.normal, &field, columns)
+        };
+        surface.traction_nodes().par_iter().map(at).collect()
+    }
+}
+
+/// Whether a node lies on the face of the zone, where the half-space has no traction.
+fn on_the_face(place: DVec3, normal: DVec3) -> bool {
+    normal.z > 1.0 - SAME && place.z.abs() <= SAME * place.length()
+}
+
+/// Points of Gauss along a side that integrate a field of such a ratio, times polynomials, to rounding of single precision: the error
+/// falls by the square of the ratio with each.
+fn points(ratio: f64, degree: usize) -> usize {
+    let digits = f64::from(f32::EPSILON).recip().ln();
+    let points = (0.5 * (digits / ratio.ln() + degree as f64)).ceil() + 1.0;
+    if points.is_finite() { (points as usize).min(MOST_POINTS) } else { MOST_POINTS }
+}
+
+/// The loads that planes of symmetry let be.
+struct Columns {
+    /// Of all polynomials.
+    count: usize,
+    /// Indices d m + i of those that are kept.
+    kept: Vec<usize>,
+}
+
+impl Columns {
+    fn new(polynomials: &Polynomials, mirrored: [bool; 2]) -> Self {
+        let degrees = polynomials.degrees();
+        let count = degrees.len();
+        let symmetric = |&column: &usize| {
+            let (along, degrees) = (column / count, degrees[column % count]);
+            let odd = |axis: usize| degrees[axis] % 2 == usize::from(along == axis);
+            (0..2).all(|axis| !mirrored[axis] || odd(axis))
+        };
+        Self { count, kept: (0..3 * count).filter(symmetric).collect() }
+    }
+}
+
+/// Displacements (m) and tractions (Pa) at a node, one a load.
+struct Field {
+    displacement: Vec<DVec3>,
+    traction: Vec<DVec3>,
+}
+
+impl Field {
+    fn nothing(loads: usize) -> Self {
+        Self { displacement: vec![DVec3::ZERO; loads], traction: vec![DVec3::ZERO; loads] }
+    }
+}
+
+/// Points of Gauss on the zone with the polynomials there, weighed.
+struct Rule {
+    points: Vec<(DVec3, Vec<f64>)>,
+}
+
+impl Rule {
+    fn new(polynomials: &Polynomials, points: usize) -> Self {
+        let along = [0, 1].map(|axis| {
+            let half = 0.5 * polynomials.rectangle.size[axis];
+            let middle = polynomials.rectangle.centre[axis];
+            let point = |(x, weight): (f64, f64)| {
+                let place = middle + half * x;
+                (place, half * weight, polynomials.along(axis, place))
+            };
+            gauss_legendre(points).into_iter().map(point).collect::<Vec<_>>()
+        });
+        let degrees = &polynomials.degrees();
+        let [x, y] = &along;
+        let points = y.iter().flat_map(|(y, across, of_y)| {
+            x.iter().map(move |(x, along, of_x)| {
+                let value = |[i, j]: &[usize; 2]| along * across * of_x[*i] * of_y[*j];
+                (DVec3::new(*x, *y, 0.0), degrees.iter().map(value).collect())
+            })
+        });
+        Self { points: points.collect() }
+    }
+
+    fn field(
+        &self,
+        place: DVec3,
+        normal: DVec3,
+        field: &HalfSpaceField,
+        columns: &Columns,
+    ) -> Field {
+        let mut sums = vec![[DMat3::ZERO; 2]; columns.count];
+        for (point, values) in &self.points {
+            let [displacement, traction] = field.at(place - *point, normal);
+            for (sum, value) in sums.iter_mut().zip(values) {
+                sum[0] += *value * displacement;
+                sum[1] += *value * traction;
+            }
+        }
+        let of = |which: usize| {
+            let kept = columns.kept.iter();
+            kept.map(|column| sums[column % columns.count][which].col(column / columns.count))
+                .collect()
+        };
+        Field { displacement: of(0), traction: of(1) }
+    }
+}
+
+/// What undoes the fields: tractions on free faces, displacements of what is held.
+fn loads(surface: &Surface, conditions: &Conditions, fields: &[Field]) -> Loads {
+    let count = fields.first().map_or(0, |field| field.traction.len());
+    let mut loads = Loads {
+        tractions: vec![vec![0.0; count]; 3 * fields.len()],
+        displacements: vec![vec![0.0; count]; 3 * surface.nodes.len()],
+    };
+    for (index, (node, field)) in surface.traction_nodes().iter().zip(fields).enumerate() {
+        let condition = &conditions.tractions[index];
+        for (direction, (unit, given)) in condition.basis.iter().zip(condition.given).enumerate() {
+            if let Given::Displacement(_) = given {
+                let own = conditions.own(node.node, *unit);
+                let along = conditions.nodes[node.node].basis[own];
+                let values = field.displacement.iter().map(|value| -value.dot(along));
+                loads.displacements[3 * node.node + own] = values.collect();
+            } else {
+                let values = field.traction.iter().map(|value| -value.dot(*unit));
+                loads.tractions[3 * index + direction] = values.collect();
+            }
+        }
+    }
+    loads
+}
+
+/// Betti's integrals, from what was found: row by seeing load, column by acting one.
+fn work(
+    surface: &Surface,
+    conditions: &Conditions,
+    (fields, loads, loaded): (&[Field], &Loads, &Loaded),
+) -> Mat<f64> {
+    let count = loads.count();
+    let images = surface.images().len() as f64;
+    let rows = 3 * fields.len();
+    // What acts, weighed by areas, and what sees it.
+    let (mut acting, mut seeing) = (Mat::zeros(rows, count), Mat::zeros(rows, count));
+    for (index, (node, field)) in surface.traction_nodes().iter().zip(fields).enumerate() {
+        let condition = &conditions.tractions[index];
+        let held = conditions.nodes[node.node];
+        for (direction, (unit, given)) in condition.basis.iter().zip(condition.given).enumerate() {
+            let row = 3 * index + direction;
+            for load in 0..count {
+                let weight = images * node.area;
+                let (displacement, traction) = (field.displacement[load], field.traction[load]);
+                if let Given::Displacement(_) = given {
+                    let own = conditions.own(node.node, *unit);
+                    let along = held.basis[own];
+                    let found = loaded.traction(conditions, (node.node, own), load);
+                    acting[(row, load)] = weight * (traction.dot(along) + found);
+                    seeing[(row, load)] = displacement.dot(along);
+                } else {
+                    let moved: DVec3 = (0..3)
+                        .map(|own| {
+                            let value = match held.known[own] {
+                                Some(_) => loads.displacements[3 * node.node + own][load],
+                                None => loaded.displacement(conditions, (node.node, own), load),
+                            };
+                            value * held.basis[own]
+                        })
+                        .sum();
+                    acting[(row, load)] = -weight * (displacement + moved).dot(*unit);
+                    seeing[(row, load)] = traction.dot(*unit);
+                }
+            }
+        }
+    }
+    seeing.transpose() * acting
+}

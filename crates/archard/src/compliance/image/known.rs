@@ -1,0 +1,166 @@
+//! The image fields of two bodies on rectangles of their faces, found once each.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use faer::Mat;
+
+use crate::body::mesh::Mesh;
+use crate::body::{Body, Elasticity, Finite, Material};
+use crate::compliance::bem::contact::ContactError;
+use crate::compliance::bem::image::{Imaged, NoImage, Polynomials, degree, holds};
+use crate::frame::Rectangle;
+
+/// By how much polynomials may miss an image field, relative to the field: less than elements do.
+const MISSED: f64 = 1e-4;
+
+/// How much larger rectangles become: as frames do that grow at each side by an eighth. A choice of cost.
+const STEP: f64 = 1.25;
+
+/// The image fields of both bodies.
+#[derive(Debug, Clone)]
+pub(super) struct Fields {
+    pub polynomials: Arc<Polynomials>,
+    /// (m/N) between polynomials on the axes of the frame: row and column d m + i.
+    pub compliance: Arc<Mat<f64>>,
+    /// What half the elements of the bodies changed in it (m/N).
+    pub change: Arc<Mat<f64>>,
+    /// What the last degree of the polynomials adds to it (m/N).
+    pub last: Arc<Mat<f64>>,
+}
+
+/// Bodies with image fields.
+#[derive(Debug)]
+pub(super) struct Known {
+    bodies: Vec<One>,
+    /// What the frame covered at first.
+    first: Rectangle,
+    /// How often that was enlarged, and the fields there.
+    found: Mutex<Vec<(u32, Fields)>>,
+}
+
+/// A body and its meshes, the second of elements half as long.
+#[derive(Debug)]
+struct One {
+    which: usize,
+    finite: Finite,
+    fine: Mesh,
+    material: Material,
+}
+
+impl Known {
+    /// The bodies that have them, on a rectangle.
+    pub fn new(bodies: [&Body; 2], first: Rectangle) -> Self {
+        let of = |(which, body): (usize, &Body)| {
+            let finite = body.finite.clone()?;
+            let material = body.material?;
+            let fine = finite.meshed.mesh.divided();
+            let imaged = finite.elasticity == Elasticity::Image;
+            imaged.then_some(One { which, finite, fine, material })
+        };
+        let bodies = bodies.into_iter().enumerate().filter_map(of).collect();
+        Self { bodies, first, found: Mutex::new(vec![]) }
+    }
+
+    /// The fields on the first rectangle, or on that one enlarged about its middle until it covers another, as far as the faces reach.
+    /// They follow from the rectangle alone, whatever was asked for before. `None` where a body's face ends before.
+    ///
+    /// # Errors
+    /// If a body is not held, or its equations have no solution.
+    pub fn over(&self, rectangle: Rectangle) -> Result<Option<Fields>, ContactError> {
+        if !self.bodies.iter().all(|one| one.holds(&rectangle)) {
+            return Ok(None);
+        }
+        let steps = (0..).find(|times| covers(self.enlarged(*times), rectangle)).unwrap_or(0);
+        let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, fields)) = found.iter().find(|(times, _)| *times == steps) {
+            return Ok(Some(fields.clone()));
+        }
+        let fields = self.fields(self.within_the_faces(steps))?;
+        found.push((steps, fields.clone()));
+        Ok(Some(fields))
+    }
+
+    fn enlarged(&self, times: u32) -> Rectangle {
+        let size = self.first.size.map(|size| size * STEP.powi(times as i32));
+        Rectangle { size, ..self.first }
+    }
+
+    /// The first rectangle, enlarged so often, as far as the faces reach along each axis.
+    fn within_the_faces(&self, times: u32) -> Rectangle {
+        let (first, all) = (self.first, self.enlarged(times));
+        let mut rectangle = all;
+        for axis in 0..2 {
+            let mut low = first.corner()[axis].min(all.corner()[axis]);
+            let mut high = low + all.size[axis];
+            for one in &self.bodies {
+                let [least, most] = one.reach(axis);
+                (low, high) = (low.max(least), high.min(most));
+            }
+            rectangle.centre[axis] = 0.5 * (low + high);
+            rectangle.size[axis] = high - low;
+        }
+        rectangle
+    }
+
+    fn fields(&self, rectangle: Rectangle) -> Result<Fields, ContactError> {
+        let degree = self.bodies.iter().map(|one| one.degree(&rectangle)).max().unwrap_or(0);
+        let polynomials = Polynomials::new(rectangle, degree);
+        let size = 3 * polynomials.degrees().len();
+        let (mut sum, mut change) = (Mat::zeros(size, size), Mat::<f64>::zeros(size, size));
+        for one in &self.bodies {
+            let wrong = |cause| match cause {
+                NoImage::Undetermined(cause) => {
+                    ContactError::Undetermined { body: one.which, cause }
+                }
+                NoImage::Unsolved(cause) => ContactError::Singular { body: one.which, cause },
+            };
+            let fine = one.compliance(&one.fine, &polynomials).map_err(wrong)?;
+            let coarse = one.compliance(&one.finite.meshed.mesh, &polynomials).map_err(wrong)?;
+            change += &fine - coarse;
+            sum += fine;
+        }
+        let degrees = polynomials.degrees();
+        let is_last = |place: usize| degrees[place % degrees.len()].iter().sum::<usize>() == degree;
+        let last = Mat::from_fn(size, size, |row, column| {
+            if is_last(row) || is_last(column) { sum[(row, column)] } else { 0.0 }
+        });
+        let [compliance, change, last] = [sum, change, last].map(Arc::new);
+        Ok(Fields { polynomials: Arc::new(polynomials), compliance, change, last })
+    }
+}
+
+impl One {
+    /// K on the axes of the frame. Body 2 is turned over, x and y as they are: what is normal changes its sign.
+    fn compliance(&self, mesh: &Mesh, polynomials: &Polynomials) -> Result<Mat<f64>, NoImage> {
+        let imaged = Imaged { finite: &self.finite, mesh, material: &self.material };
+        let own = imaged.compliance(polynomials)?;
+        let count = own.nrows() / 3;
+        let over = |place: usize| self.which == 1 && place / count == 2;
+        Ok(Mat::from_fn(own.nrows(), own.ncols(), |row, column| {
+            if over(row) == over(column) { own[(row, column)] } else { -own[(row, column)] }
+        }))
+    }
+
+    fn degree(&self, rectangle: &Rectangle) -> usize {
+        degree(&self.finite.meshed.mesh, self.finite.mirrored, rectangle, MISSED)
+    }
+
+    fn holds(&self, rectangle: &Rectangle) -> bool {
+        holds(&self.finite.meshed.mesh, self.finite.mirrored, rectangle)
+    }
+
+    /// From where to where the body reaches along an axis (m).
+    fn reach(&self, axis: usize) -> [f64; 2] {
+        let mesh = &self.finite.meshed.mesh;
+        let [low, high] = mesh.bounds(0..mesh.faces.len()).map(|corner| corner[axis]);
+        if self.finite.mirrored[axis] { [-high, high] } else { [low, high] }
+    }
+}
+
+/// Whether a rectangle covers another, but for rounding.
+fn covers(one: Rectangle, other: Rectangle) -> bool {
+    (0..2).all(|axis| {
+        let beside = (one.centre[axis] - other.centre[axis]).abs();
+        2.0 * beside + other.size[axis] <= one.size[axis] * (1.0 + crate::numerics::SAME)
+    })
+}
