@@ -112,6 +112,8 @@ pub struct FiniteCase {
     pub tolerance: f64,
     /// What tells how the body deforms.
     pub elasticity: Elasticity,
+    /// Whether the case says so, or it was chosen.
+    pub(crate) says: bool,
 }
 
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
@@ -213,20 +215,38 @@ impl FrameCase {
     }
 }
 
+/// Why a body has no image field.
+pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top";
+
 impl FiniteCase {
-    /// The mesh.
+    /// The mesh; with an image field a coarse one that knows of no contact.
     ///
     /// # Errors
     /// If it cannot be made; that of a checked case can.
     pub fn meshed(&self) -> Result<Meshed, BuildError> {
+        if self.elasticity == Elasticity::Image {
+            return self.coarse(self.zone().map_or([0.0; 2], |(size, _)| size));
+        }
         Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
     }
 
     /// The surfaces that supports hold; none where a half-space stands for the body.
     pub(super) fn held(&self) -> Supported {
-        let bends = self.elasticity == Elasticity::BoundaryElements;
+        let bends = self.elasticity != Elasticity::HalfSpace;
         let supports = self.supports.iter().filter(|_| bends);
         supports.map(|(name, support)| (name.clone(), support.holds())).collect()
+    }
+
+    /// The size (m) of the zone that may touch and the elements of it, where the mesh says so.
+    pub(super) fn zone(&self) -> Option<([f64; 2], [usize; 2])> {
+        let contact = self.mesh.values.section("contact")?;
+        Some((contact.pair("size")?, contact.pair("elements")?.map(|count| count as usize)))
+    }
+
+    /// A coarse mesh of the whole body for an image field of loads on a rectangle of that size (m) about the middle of its face.
+    fn coarse(&self, size: [f64; 2]) -> Result<Meshed, BuildError> {
+        let coarse = self.mesh.build()?.coarse(size, [false; 2], &self.held());
+        coarse.ok_or_else(|| Invalid::new("size", NO_IMAGE).into())
     }
 
     /// The longest element of its mesh along a free span beside the thickness there; `None` where nothing bends.
@@ -241,9 +261,16 @@ impl FiniteCase {
     ///
     /// # Errors
     /// As [`FiniteCase::meshed`].
-    pub fn build(&self) -> Result<Finite, BuildError> {
+    pub fn build(&self, frame: &FrameCase) -> Result<Finite, BuildError> {
         let shape = self.mesh.build()?;
-        let meshed = shape.mesh(self.mirrored, &self.held())?;
+        // Image fields are those of whole bodies.
+        let (meshed, mirrored) = match self.elasticity {
+            Elasticity::Image => {
+                let reach = |axis: usize| 2.0 * frame.centre[axis].abs() + frame.size[axis];
+                (self.coarse([0, 1].map(reach))?, [false; 2])
+            }
+            _ => (shape.mesh(self.mirrored, &self.held())?, self.mirrored),
+        };
         let curvatures = match meshed.placed {
             true => meshed.curvatures(self.mirrored),
             false => shape.curvatures(),
@@ -254,7 +281,7 @@ impl FiniteCase {
             .iter()
             .filter_map(|(name, support)| Some((surface(name)?, *support)))
             .collect();
-        let Self { mirrored, interpolation, tolerance, elasticity, .. } = *self;
+        let Self { interpolation, tolerance, elasticity, .. } = *self;
         Ok(Finite { meshed, curvatures, supports, mirrored, interpolation, tolerance, elasticity })
     }
 }
@@ -295,14 +322,24 @@ impl BodyCase {
         }
     }
 
-    /// Builds the body.
-    pub(super) fn build(&self) -> Result<Body, BuildError> {
+    /// Whether it is meshed where it touches.
+    pub(super) fn is_meshed(&self) -> bool {
+        self.finite.as_ref().is_some_and(|finite| finite.elasticity != Elasticity::Image)
+    }
+
+    /// Whether it deforms as a half-space with an image field.
+    pub(super) fn has_image(&self) -> bool {
+        self.finite.as_ref().is_some_and(|finite| finite.elasticity == Elasticity::Image)
+    }
+
+    /// Builds the body, which touches on a frame where no mesh says where.
+    pub(super) fn build(&self, frame: &FrameCase) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
             profile: self.profile.build()?.into(),
             material: self.material.as_ref().map(|material| material.elastic),
             layers: self.layers.iter().map(|layer| layer.layer).collect(),
-            finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
+            finite: self.finite.as_ref().map(|finite| finite.build(frame)).transpose()?,
             wear: self.law()?,
             depth: self.depth,
             hardness: self.hardness,
@@ -314,9 +351,9 @@ impl BodyCase {
 }
 
 impl Case {
-    /// Whether a body is meshed.
+    /// Whether the pairs are the nodes of a mesh.
     pub fn is_meshed(&self) -> bool {
-        self.bodies.iter().any(|body| body.finite.is_some())
+        self.bodies.iter().any(BodyCase::is_meshed)
     }
 
     /// The frame after it became wider so many times.

@@ -3,7 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::check::{footprint, memory, slender};
-use super::definition::{BodyCase, BuildError};
+use super::definition::{BodyCase, BuildError, FrameCase};
 use super::key::Key;
 use super::problem::Problem;
 use archard::body::mesh::{Listed, Meshed};
@@ -49,7 +49,7 @@ impl ElasticCase {
     pub fn build(&self) -> Result<ElasticBody, BuildError> {
         let missing = |name| BuildError::from(Invalid::new(name, format!("`{name}` is missing")));
         let case = self.body.finite.as_ref().ok_or_else(|| missing("mesh"))?;
-        let finite = case.build()?;
+        let finite = case.build(&FrameCase::to_be_chosen())?;
         let slenderness = case.slenderness(&finite.meshed)?;
         let material = self.body.material.as_ref().ok_or_else(|| missing("material"))?.elastic;
         let name = self.body.name.clone();

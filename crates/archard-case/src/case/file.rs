@@ -345,8 +345,14 @@ impl CaseFile {
         read: impl FnOnce(&mut Reader<'_>, &Section<'_>) -> Option<C>,
         check: impl FnOnce(&C) -> (F, Vec<Problem>),
     ) -> Result<(C, F, Vec<Problem>), Vec<Problem>> {
-        let mut reader =
-            Reader { folder: &self.folder, problems, bodies: vec![], line: None, cell: None };
+        let mut reader = Reader {
+            folder: &self.folder,
+            problems,
+            bodies: vec![],
+            line: None,
+            cell: None,
+            framed: false,
+        };
         let case = read(&mut reader, &Section { key: Key::default(), table: &table });
         let mut problems = reader.problems;
         let failed = |problems: &[Problem]| {

@@ -34,8 +34,14 @@ fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
     let origin = Origin { source: Source::File, start: 0, fixed: None };
     let table = Table::from_toml(parsed.get_ref(), &origin);
     let folder = folder();
-    let mut reader =
-        Reader { folder: &folder, problems: vec![], bodies: vec![], line: None, cell: None };
+    let mut reader = Reader {
+        folder: &folder,
+        problems: vec![],
+        bodies: vec![],
+        line: None,
+        cell: None,
+        framed: false,
+    };
     let root = Section { key: Key::default(), table: &table };
     let read = reader.table(&root, "mesh", "a mesh").and_then(|section| {
         let (chosen, shape) = reader.choice(&section, "mesh", MESHES)?;

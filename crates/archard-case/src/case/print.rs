@@ -218,9 +218,12 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
         };
         writeln!(f, "{key}.supports.{} = {value}", quoted(surface))?;
     }
-    if finite.elasticity == Elasticity::HalfSpace {
-        writeln!(f, "{key}.elasticity = {}", quoted("half_space"))?;
-    }
+    let elasticity = match finite.elasticity {
+        Elasticity::HalfSpace => "half_space",
+        Elasticity::Image => "image",
+        Elasticity::BoundaryElements => "boundary_elements",
+    };
+    writeln!(f, "{key}.elasticity = {}", quoted(elasticity))?;
     let interpolation = match finite.interpolation {
         Interpolation::Continuous => "continuous",
         Interpolation::Discontinuous => "discontinuous",

@@ -23,6 +23,8 @@ pub(super) struct Reader<'a> {
     pub line: Option<Line>,
     /// The area (m^2) that repeats itself, once the frame is read, if it does.
     pub cell: Option<f64>,
+    /// Whether the case has a frame, or an accuracy that one follows from.
+    pub framed: bool,
 }
 
 /// A line of contact: what loads are shared over.

@@ -12,7 +12,7 @@ mod words;
 pub use bounds::{
     Accuracy, BY_HALF, EDGES, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, balance, climbs,
     complete, conformity, constant, contact, creepage, edges, energy, first_contact, form,
-    friction, hardness, heat, layers, length, load, measured, missing, modulus, nadal, next_test,
+    friction, hardness, heat, image, layers, length, load, measured, missing, modulus, nadal, next_test,
     of_run, radius, roughness, settled, shape, slenderness, slope, stated, stick_zone, temperature,
     time, touch, volume, warned, worn,
 };

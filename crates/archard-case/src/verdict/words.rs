@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 37] = [
+const GOOD: [(&str, &str, Number); 38] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -54,6 +54,7 @@ const GOOD: [(&str, &str, Number); 37] = [
     ("missing", "{} of the points without a height", Number::Share),
     ("flange", "no contact above the steepest place of the flange", Number::Unsaid),
     ("climb", "lateral over vertical force {} of Nadal's limit", Number::Share),
+    ("image", "image field known to {}", Number::Share),
 ];
 
 /// The place of a subject among all.

@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use archard::compliance::{Compliance, HalfSpace, PairStatus, SlipMap};
-use archard::frame::{ContactFrame, VectorField};
+use archard::frame::{ContactFrame, Part, VectorField};
 use archard::motion::{Drive, MOTIONS, Motion, Schedule};
 use archard::parameters::{Value, Values};
 
@@ -117,7 +117,7 @@ fn maps_on_other_elements_are_those_of_their_frames() {
     let [dx, dy] = frame.spacing();
     for compliance in compliances(&frame) {
         let map = compliance.shifting(&frame);
-        let part = map.within([4, 5]).expect("a part");
+        let part = map.within(&Part::inside([4, 5], [[0, 1], [0, 1]])).expect("a part");
         let size = [4.0 * dx, 5.0 * dy];
         let smaller = Ball { size, elements: [4, 5], ..Ball::pin_on_disc(1) }.problem().frame;
         let numbers = arbitrary(3);

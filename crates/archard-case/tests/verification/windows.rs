@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use archard::body::profile::{Flat, Profile};
 use archard::body::{Body, Material};
 use archard::compliance::{Compliance, HalfSpace, Preconditioner};
-use archard::frame::{Part, VectorField};
+use archard::frame::{ContactFrame, Part, VectorField};
 use archard::motion::{Control, Sliding, Stepping};
 use archard::problem::ContactState;
 use archard::simulation::{Effort, Run, Simulation};
@@ -46,9 +46,9 @@ impl Compliance for Counting {
         self.inner.within(part)
     }
 
-    fn on(&self, elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
+    fn on(&self, frame: &ContactFrame) -> Option<Arc<dyn Compliance>> {
         self.windows.fetch_add(1, Ordering::Relaxed);
-        self.inner.on(elements).filter(|_| self.grants)
+        self.inner.on(frame).filter(|_| self.grants)
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {

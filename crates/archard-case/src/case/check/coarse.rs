@@ -7,7 +7,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::Parts;
 use crate::case::chosen::Chosen;
-use crate::case::definition::{BodyCase, BuildError, Case, FiniteCase};
+use crate::case::definition::{BodyCase, BuildError, Case, FiniteCase, FrameCase};
 use archard::body::mesh::Shape;
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Elasticity, Interpolation};
@@ -89,7 +89,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
 
 fn mean(body: &BodyCase) -> Result<f64, BuildError> {
     let profile = body.profile.build()?;
-    let body = body.build()?;
+    let body = body.build(&FrameCase::to_be_chosen())?;
     let rigid = Body {
         name: String::new(),
         profile: profile.into(),

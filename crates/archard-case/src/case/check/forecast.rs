@@ -95,7 +95,7 @@ impl Forecast {
 
 /// Unknowns of the bodies that are computed by boundary elements.
 fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
-    let solved = |(_, finite): &(_, &Finite)| finite.elasticity == Elasticity::BoundaryElements;
+    let solved = |(_, finite): &(_, &Finite)| finite.elasticity != Elasticity::HalfSpace;
     let meshed = parts.meshed().filter(solved);
     meshed.map(|(body, finite)| (body.name.clone(), size(finite).unknowns)).collect()
 }

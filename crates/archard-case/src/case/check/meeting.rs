@@ -2,10 +2,11 @@
 
 use super::Parts;
 use super::words::both;
-use crate::case::definition::BodyCase;
+use crate::case::definition::{BodyCase, FrameCase};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::body::Body;
+use archard::compliance::Image;
 use archard::compliance::bem::Undetermined;
 use archard::compliance::bem::contact::{ContactError, Meeting};
 use archard::frame::Pairs;
@@ -32,6 +33,21 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         }
     }
     problems
+}
+
+/// What is wrong with bodies that have image fields.
+pub(super) fn of_images(parts: &Parts<'_>) -> Option<Problem> {
+    let FrameCase { line, periodic, .. } = parts.case.frame;
+    if !parts.bodies.iter().any(Body::has_image) {
+        return None;
+    }
+    if line || periodic {
+        let name = if line { "plane_strain" } else { "periodic" };
+        let message = "a body of finite shape has an end: it touches neither along an endless line nor again and again";
+        return Some(Problem::error(Key::of(["frame", name]), message));
+    }
+    let met = Image::meets(parts.bodies.each_ref(), parts.case.frame.rectangle());
+    met.err().map(|error| said(parts, error))
 }
 
 /// The key of something of a body.
@@ -64,6 +80,11 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
             );
             Problem::error(key(&bodies[body], "elasticity"), message)
                 .help("make the zone smaller, or leave `elasticity` out")
+        }
+        ContactError::BesideTheFace => {
+            let message = "reaches beyond the flat face of a body of finite shape";
+            Problem::error(parts.frame_key("size"), message)
+                .help("make it smaller, or let a mesh say where the body touches: `elasticity = \"boundary_elements\"`")
         }
         ContactError::OffTheSurface(off) => {
             let name = &bodies[off.body].name;

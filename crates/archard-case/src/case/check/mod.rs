@@ -65,7 +65,7 @@ impl<'a> Parts<'a> {
         let (motion, schedule) = case.motion.build()?;
         let mut parts = Self {
             case,
-            bodies: [first.build()?, second.build()?],
+            bodies: [first.build(&case.frame)?, second.build(&case.frame)?],
             friction: case.friction.as_ref().map(Chosen::build).transpose()?,
             motion,
             schedule,
@@ -128,12 +128,16 @@ impl<'a> Parts<'a> {
     /// The number of pairs.
     fn pairs(&self) -> usize {
         let [nx, ny] = self.case.frame.elements;
-        self.meshed().next().map_or(nx * ny, |(_, finite)| size(finite).contact / 3)
+        match self.meshed().next().filter(|_| self.case.is_meshed()) {
+            Some((_, finite)) => size(finite).contact / 3,
+            None => nx * ny,
+        }
     }
 
     /// The meshed body with the most unknowns.
     fn largest(&self) -> Option<&BodyCase> {
-        let sized = self.meshed().map(|(body, finite)| (body, size(finite)));
+        let meshed = self.meshed().filter(|_| self.case.is_meshed());
+        let sized = meshed.map(|(body, finite)| (body, size(finite)));
         let largest = sized.max_by_key(|(_, size)| (size.unknowns, size.contact));
         largest.map(|(body, _)| body)
     }
@@ -142,7 +146,7 @@ impl<'a> Parts<'a> {
     fn halved(&self) -> Option<(&BodyCase, [bool; 2])> {
         let mut bodies = self.case.bodies.iter();
         bodies.find_map(|body| {
-            let mirrored = body.finite.as_ref()?.mirrored;
+            let mirrored = body.finite.as_ref().filter(|_| body.is_meshed())?.mirrored;
             (mirrored != [false; 2]).then_some((body, mirrored))
         })
     }
@@ -167,7 +171,10 @@ impl<'a> Parts<'a> {
 
     /// The key of the frame's `size` or `elements`; where a body is meshed, that of its zone.
     fn frame_key(&self, name: &str) -> Key {
-        let host = self.case.bodies.iter().find(|body| body.finite.is_some());
+        let zone = |body: &&BodyCase| {
+            body.finite.as_ref().is_some_and(|finite| body.is_meshed() || finite.zone().is_some())
+        };
+        let host = self.case.bodies.iter().find(zone);
         host.map_or_else(|| Key::of(["frame", name]), |body| self.zone_key(body, name))
     }
 
@@ -206,6 +213,8 @@ fn size(finite: &Finite) -> Size {
     let size = Size::of(&finite.meshed, finite.interpolation);
     match finite.elasticity {
         Elasticity::BoundaryElements => size,
+        // The last of its meshes has four times as many elements.
+        Elasticity::Image => Size { unknowns: 4 * size.unknowns, contact: 0 },
         Elasticity::HalfSpace => Size { unknowns: 0, ..size },
     }
 }
@@ -246,6 +255,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         problems.extend(inside::problems(parts));
         problems.extend(slender::problems(parts));
     }
+    problems.extend(meeting::of_images(parts));
     problems.extend(surfaces::too_long(parts));
     let (uniform, periodic) = (!parts.case.is_meshed(), parts.case.frame.periodic);
     let of_frame = refusal::of_frame(&parts.motion, uniform, periodic);

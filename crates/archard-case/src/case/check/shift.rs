@@ -92,7 +92,7 @@ fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
 
 /// Whether a body deforms as its shape tells: those of one elasticity then slip as well.
 fn shaped(parts: &Parts<'_>) -> bool {
-    parts.meshed().any(|(_, finite)| finite.elasticity == Elasticity::BoundaryElements)
+    parts.meshed().any(|(_, finite)| finite.elasticity != Elasticity::HalfSpace)
 }
 
 /// Friction and wear that cannot show where bodies of one elasticity are pressed together.

@@ -8,7 +8,8 @@ use crate::verdict::{self, Word};
 
 /// What is doubtful about the meshes of bodies in contact.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
-    let found = parts.meshed().filter_map(|(body, finite)| {
+    let meshed = parts.meshed().filter(|(body, _)| body.is_meshed());
+    let found = meshed.filter_map(|(body, finite)| {
         let longest = body.finite.as_ref()?.slenderness(&finite.meshed).ok()??;
         problem(body, longest)
     });

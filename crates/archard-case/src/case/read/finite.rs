@@ -7,6 +7,7 @@ use crate::case::definition::{BodyCase, FiniteCase, FrameCase};
 use crate::case::key::Key;
 use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
+use crate::case::read::image;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
 use archard::body::mesh::{MESHES, MeshProblem, Meshed, Zone};
@@ -59,11 +60,13 @@ impl Reader<'_> {
             }),
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
-        let elasticity = elasticity?;
+        let (elasticity, says) = elasticity?;
         // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
         let read = self.supports(body, elasticity);
         let supports = read.clone().unwrap_or_default();
-        let finite = FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity };
+        let finite =
+            FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity, says };
+        let finite = if says { finite } else { image::chosen(finite, self.framed) };
         let meshed = self.meshed(&section, &finite)?;
         let named = self.named(body, &meshed);
         (read.is_some() && named).then_some(Some(finite))
@@ -72,6 +75,13 @@ impl Reader<'_> {
     /// The mesh, if it is sound.
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
+        if finite.elasticity == Elasticity::Image {
+            let meshed = finite.meshed();
+            if let Err(error) = &meshed {
+                self.push(Problem::error(key, error.to_string()));
+            }
+            return meshed.ok();
+        }
         let shape = finite.mesh.build().ok()?;
         let held = finite.held();
         // A mesh that no memory holds is not even made.
@@ -123,24 +133,29 @@ impl Reader<'_> {
         }
     }
 
-    /// What tells how the body deforms.
-    fn elasticity(&mut self, body: &Section<'_>) -> Option<Elasticity> {
-        let Some((key, entry)) = body.get("elasticity") else { return Some(Elasticity::default()) };
-        match &entry.node.item {
-            Item::Text(word) if word == "boundary_elements" => Some(Elasticity::BoundaryElements),
-            Item::Text(word) if word == "half_space" => Some(Elasticity::HalfSpace),
+    /// What tells how the body deforms, and whether the case says so.
+    fn elasticity(&mut self, body: &Section<'_>) -> Option<(Elasticity, bool)> {
+        let Some((key, entry)) = body.get("elasticity") else {
+            return Some((Elasticity::default(), false));
+        };
+        let elasticity = match &entry.node.item {
+            Item::Text(word) if word == "boundary_elements" => Elasticity::BoundaryElements,
+            Item::Text(word) if word == "image" => Elasticity::Image,
+            Item::Text(word) if word == "half_space" => Elasticity::HalfSpace,
             _ => {
-                let message = "expected \"boundary_elements\" or \"half_space\"";
+                let message = "expected \"image\", \"boundary_elements\" or \"half_space\"";
                 self.push(Problem::error(key, message));
-                None
+                return None;
             }
-        }
+        };
+        Some((elasticity, true))
     }
 
     /// Whether a body says where it may touch, if it is meshed.
     pub(super) fn touches(&mut self, bodies: &Key, body: &BodyCase) -> bool {
         let Some(finite) = &body.finite else { return true };
-        if finite.meshed().is_ok_and(|meshed| !meshed.zone.faces.is_empty()) {
+        let framed = body.has_image() && (self.framed || finite.zone().is_some());
+        if framed || finite.meshed().is_ok_and(|meshed| !meshed.zone.faces.is_empty()) {
             return true;
         }
         let key = bodies.child(&body.name).child("mesh").child(finite.mesh.choice.name);
@@ -287,6 +302,10 @@ impl Reader<'_> {
 /// What the contact zone of the body that bears the pairs amounts to as a frame: its extent along x and y, and as many
 /// elements as there are pairs.
 pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
+    if let Some(body) = bodies.iter().find(|body| body.has_image()) {
+        let (size, elements) = body.finite.as_ref()?.zone()?;
+        return Some(FrameCase { size, elements, ..FrameCase::to_be_chosen() });
+    }
     let mut meshed = bodies.iter().filter_map(|body| {
         let finite = body.finite.as_ref()?;
         Some((finite, finite.meshed().ok()?))

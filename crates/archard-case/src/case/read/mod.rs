@@ -4,12 +4,13 @@ mod body;
 mod elastic;
 mod finite;
 mod frame;
+mod image;
 mod material;
 mod output;
 mod wheel_rail;
 
 use super::chosen::Chosen;
-use super::definition::{Case, FrameCase};
+use super::definition::{BodyCase, Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::surface::{MAPS, PreparedSurface};
@@ -41,12 +42,14 @@ impl Reader<'_> {
     pub fn case(&mut self, root: &Section<'_>) -> Option<Case> {
         self.unknown(root, "key", TABLES);
         let title = self.title(root);
-        let accuracy = self.accuracy(root);
+        self.framed = root.get("frame").is_some() || root.get("accuracy").is_some();
         let bodies = self.bodies(root);
-        let meshed = names_a_mesh(root);
+        let image = |bodies: &[BodyCase; 2]| bodies.iter().any(BodyCase::has_image);
+        let meshed = names_a_mesh(root) && !bodies.as_ref().is_some_and(image);
+        let accuracy = self.accuracy(root, meshed);
         let measured = bodies.as_ref().and_then(frame::measured);
         let frame = match (root.get("frame"), &bodies) {
-            (None, Some(bodies)) if meshed => zone(bodies),
+            (None, Some(bodies)) if meshed || image(bodies) && !self.framed => zone(bodies),
             (None, None) if meshed => None,
             (Some((key, _)), _) if meshed => {
                 let message = "the pairs are the nodes of the mesh: leave the frame out";
@@ -62,6 +65,7 @@ impl Reader<'_> {
                 })
             }
         };
+        let frame = frame.filter(|frame| self.is_the_zone(bodies.as_ref(), frame));
         let motion = self.motion(root);
         let doubles = motion.as_ref().and_then(|(_, motion)| self.doubles(root, frame, motion));
         let friction = self.friction(root);
@@ -108,14 +112,14 @@ impl Reader<'_> {
     }
 
     /// The accuracy if one is asked for; `None` if it is wrong.
-    fn accuracy(&mut self, root: &Section<'_>) -> Option<Option<f64>> {
+    fn accuracy(&mut self, root: &Section<'_>, meshed: bool) -> Option<Option<f64>> {
         let Some((key, entry)) = root.get("accuracy") else { return Some(None) };
         let value = self.number(key.clone(), &entry.node, Quantity::Number)?;
         if !accuracy::admitted(value) {
             self.push(Problem::error(key, accuracy::refusal()));
             return None;
         }
-        if names_a_mesh(root) {
+        if meshed {
             let message = "the elements of a mesh are those of its zone: they are not chosen";
             self.push(Problem::error(key, message).at_name().help("leave it out"));
             return None;

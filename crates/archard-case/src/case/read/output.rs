@@ -112,7 +112,7 @@ impl Reader<'_> {
             let deforms = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
             if bodies[body].material.is_none() || !bodies[body].finite.as_ref().is_some_and(deforms)
             {
-                let message = "has no stress to put out: that takes an elastic body with a `mesh`, and `elasticity` left out";
+                let message = "has no stress to put out: that takes an elastic body with a `mesh`, and `elasticity = \"boundary_elements\"`";
                 self.push(Problem::error(key, message).at_name());
                 continue;
             }

@@ -12,8 +12,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Accuracy, Verdict};
 use archard::estimate::Subject;
+use archard::frame::VectorField;
 use archard::motion::{Control, Stepping};
-use archard::problem::ContactProblem;
+use archard::problem::{ContactProblem, ContactState, Tangential};
 use archard::simulation::Report;
 use archard::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 
@@ -33,6 +34,8 @@ pub(super) struct Evidence {
     border: Option<(usize, Vec<usize>)>,
     /// What is left of the balance of forces and of moments on bodies whose equations were solved.
     balance: Option<[f64; 2]>,
+    /// By how much compliances that are approximated miss displacements, relative to the largest.
+    missed: Option<f64>,
     /// Elements across the contact at the first output that bears a load.
     first: Option<f64>,
     /// Sizes (m) of the elements that the run went through, and how many lay across the contact when it was largest there.
@@ -67,6 +70,9 @@ impl Evidence {
         for (_, force, moment) in problem.compliance.balance() {
             let [known_force, known_moment] = self.balance.unwrap_or([0.0; 2]);
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
+        }
+        if report.output {
+            worst(&mut self.missed, problem.compliance.missed(&tractions(state)));
         }
         // Frames grow.
         let border = match self.border.take() {
@@ -148,10 +154,22 @@ impl Evidence {
             self.volume.map(verdict::volume),
             self.roughness.map(verdict::roughness),
             self.peclet.map(verdict::heat),
+            self.missed.map(verdict::image),
         ];
         let balance = balance.into_iter().flatten();
         let lines = lines.into_iter().flatten().chain(balance);
         Verdict { lines: lines.chain(self.limits.lines()).collect() }
+    }
+}
+
+/// All tractions (Pa) of a state.
+fn tractions(state: &ContactState) -> VectorField {
+    let n = state.pressure.clone();
+    match &state.tangential {
+        Some(Tangential { traction: [t1, t2], .. }) => {
+            VectorField { t1: t1.clone(), t2: t2.clone(), n }
+        }
+        None => VectorField { n, ..VectorField::zeros(state.pressure.len()) },
     }
 }
 

@@ -6,12 +6,12 @@ use faer::Mat;
 
 use crate::body::mesh::Mesh;
 use crate::body::{Body, Elasticity, Finite, Material};
-use crate::compliance::bem::contact::ContactError;
-use crate::compliance::bem::image::{Imaged, NoImage, Polynomials, degree, holds};
+use crate::compliance::bem::contact::{ContactError, supported};
+use crate::compliance::bem::image::{
+    Imaged, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, holds,
+};
+use crate::compliance::bem::{Conditions, Surface};
 use crate::frame::Rectangle;
-
-/// By how much polynomials may miss an image field, relative to the field: less than elements do.
-const MISSED: f64 = 1e-4;
 
 /// How much larger rectangles become: as frames do that grow at each side by an eighth. A choice of cost.
 const STEP: f64 = 1.25;
@@ -80,6 +80,20 @@ impl Known {
         Ok(Some(fields))
     }
 
+    /// Whether bodies are held and their faces hold the first rectangle.
+    pub fn meets(&self) -> Result<(), ContactError> {
+        for one in &self.bodies {
+            let Finite { meshed, interpolation, mirrored, .. } = &one.finite;
+            let surface = Surface::new(&meshed.mesh, *interpolation, *mirrored);
+            Conditions::new(&surface, |node| supported(&one.finite, node), &[])
+                .map_err(|cause| ContactError::Undetermined { body: one.which, cause })?;
+            if !one.holds(&self.first) {
+                return Err(ContactError::BesideTheFace);
+            }
+        }
+        Ok(())
+    }
+
     fn enlarged(&self, times: u32) -> Rectangle {
         let size = self.first.size.map(|size| size * STEP.powi(times as i32));
         Rectangle { size, ..self.first }
@@ -142,7 +156,8 @@ impl One {
     }
 
     fn degree(&self, rectangle: &Rectangle) -> usize {
-        degree(&self.finite.meshed.mesh, self.finite.mirrored, rectangle, MISSED)
+        let Self { finite, .. } = self;
+        degree(&finite.meshed.mesh, finite.mirrored, rectangle, MISSED).unwrap_or(MOST_DEGREES)
     }
 
     fn holds(&self, rectangle: &Rectangle) -> bool {

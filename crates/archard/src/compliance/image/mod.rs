@@ -15,7 +15,7 @@ use faer::Mat;
 use super::bem::contact::ContactError;
 use super::{Compliance, HalfSpace, Preconditioner, SlipMap};
 use crate::body::Body;
-use crate::frame::{ContactFrame, Flow, Part, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, Rectangle, VectorField};
 
 #[cfg(test)]
 mod tests;
@@ -53,6 +53,14 @@ impl Image {
         let known = Arc::new(Known::new(bodies, frame.rectangle()));
         let fields = known.over(frame.rectangle())?.ok_or(ContactError::BesideTheFace)?;
         Ok(Self::of(half_space, known, fields, frame))
+    }
+
+    /// Whether bodies with image fields are held, and their faces hold a rectangle.
+    ///
+    /// # Errors
+    /// If they are not.
+    pub fn meets(bodies: [&Body; 2], rectangle: Rectangle) -> Result<(), ContactError> {
+        Known::new(bodies, rectangle).meets()
     }
 
     fn of(

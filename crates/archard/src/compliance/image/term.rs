@@ -7,8 +7,9 @@ use rayon::prelude::*;
 
 use crate::compliance::bem::image::Polynomials;
 use crate::frame::{Direction, Part, Rectangle, VectorField};
+use crate::numerics::vector::{sum, update};
 
-/// Polynomials at the elements of a grid: means over columns, and over rows, of each degree.
+/// Polynomials at the elements of a grid: of each degree its means over columns, and over rows.
 #[derive(Debug, Clone)]
 struct Modes {
     columns: Vec<Vec<f64>>,
@@ -55,7 +56,9 @@ impl Modes {
                 }
                 own
             };
-            (0..elements[axis]).map(value).collect()
+            let values: Vec<Vec<f64>> = (0..elements[axis]).map(value).collect();
+            let degree = |n: usize| values.iter().map(|own| own[n]).collect();
+            (0..=polynomials.degree).map(degree).collect()
         };
         Self { columns: of(0), rows: of(1) }
     }
@@ -151,40 +154,35 @@ impl Term {
     /// The forces (N) that polynomials feel of tractions (Pa), times what they are.
     fn project(&self, field: &[f64]) -> Vec<f64> {
         let Modes { columns, rows } = &*self.acting;
-        let degrees = self.polynomials.degree + 1;
-        let of_row = |row: &[f64]| {
-            let mut sums = vec![0.0; degrees];
-            for (value, column) in row.iter().zip(columns).filter(|(value, _)| **value != 0.0) {
-                sums.iter_mut().zip(column).for_each(|(sum, mode)| *sum += value * mode);
+        let of_row = |row: &[f64]| -> Vec<f64> {
+            if row.iter().all(|value| *value == 0.0) {
+                return vec![0.0; columns.len()];
             }
-            sums
+            let product = |column: &Vec<f64>| sum([row, column], |[value, mode]| [value * mode])[0];
+            columns.iter().map(product).collect()
         };
         let lines: Vec<Vec<f64>> =
             field.par_chunks(self.elements[0]).with_min_len(LINES).map(of_row).collect();
         let area: f64 =
             (0..2).map(|axis| self.rectangle.size[axis] / self.elements[axis] as f64).product();
-        let sum = |[x, y]: [usize; 2]| -> f64 {
-            area * lines.iter().zip(rows).map(|(line, row)| line[x] * row[y]).sum::<f64>()
+        let force = |[x, y]: [usize; 2]| -> f64 {
+            area * lines.iter().zip(&rows[y]).map(|(line, row)| line[x] * row).sum::<f64>()
         };
-        self.polynomials.degrees().into_iter().map(sum).collect()
+        self.polynomials.degrees().into_iter().map(force).collect()
     }
 
     /// Adds a sum of polynomials to a field.
     fn expand(&self, weights: &[f64], field: &mut [f64]) {
         let Modes { columns, rows } = &*self.seeing;
         let degrees = self.polynomials.degrees();
-        let rest = |line: usize, seen: &Modes| {
-            let mut along = vec![0.0; self.polynomials.degree + 1];
+        let lines = field.par_chunks_mut(self.elements[0]).with_min_len(LINES).enumerate();
+        lines.for_each(|(line, values)| {
+            let mut along = vec![0.0; columns.len()];
             for ([x, y], weight) in degrees.iter().zip(weights) {
-                along[*x] += weight * seen.rows[line][*y];
+                along[*x] += weight * rows[*y][line];
             }
-            along
-        };
-        let lines = field.par_chunks_mut(self.elements[0]).with_min_len(LINES);
-        lines.zip(0..rows.len()).for_each(|(values, line)| {
-            let along = rest(line, &self.seeing);
-            for (value, column) in values.iter_mut().zip(columns) {
-                *value += along.iter().zip(column).map(|(weight, mode)| weight * mode).sum::<f64>();
+            for (weight, column) in along.into_iter().zip(columns) {
+                update(values, [column], |value, [mode]| value + weight * mode);
             }
         });
     }

@@ -1,62 +1,224 @@
-use crate::body::mesh::{MESHES, Supported};
+use approx::assert_relative_eq;
+
+use super::super::bem::contact::{Contact, condense};
+use super::{Compliance, Image};
+use crate::body::mesh::{MESHES, Shape, Supported};
 use crate::body::profile::{AxisymmetricPower, Flat};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Support};
-use crate::motion::*;
+use crate::frame::{ContactFrame, Direction, Part, VectorField};
+use crate::motion::{Control, Sliding, Stepping};
 use crate::parameters::{Value, Values};
 use crate::simulation::{Run, Simulation};
-use std::time::Instant;
 
-#[test]
-fn experiment() {
-    let which = std::env::var("BODY").unwrap_or("cube".into());
-    let n: usize = std::env::var("N").ok().and_then(|n| n.parse().ok()).unwrap_or(128);
-    let size = match which.as_str() {
-        "cube" => [1.0, 1.0, 1.0],
-        "slab" => [1.0, 1.0, 0.2],
-        "column" => [0.4, 0.4, 1.0],
-        _ => [1.0, 1.0, 5.0],
-    };
+/// The side of the zone (m).
+const ZONE: f64 = 0.2;
+
+fn clamped() -> Supported {
+    [("bottom".to_owned(), [true; 3])].into_iter().collect()
+}
+
+/// A block of that size (m) with a zone of so many elements, or none.
+fn shape(size: [f64; 3], elements: Option<f64>) -> Box<dyn Shape> {
     let mut values = Values::default();
     values.insert("size", Value::Triple(size));
+    if let Some(elements) = elements {
+        let mut contact = Values::default();
+        contact.insert("size", Value::Pair([ZONE; 2]));
+        contact.insert("elements", Value::Pair([elements; 2]));
+        values.insert("contact", Value::Section(contact));
+    }
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
-    let shape = (choice.build)(&values).unwrap();
-    let held: Supported = [("bottom".to_owned(), [true; 3])].into_iter().collect();
-    let meshed = shape.coarse([0.2, 0.2], [false; 2], &held).unwrap();
-    let faces = meshed.mesh.faces.len();
-    let supports =
-        vec![(meshed.mesh.surfaces.iter().position(|s| s == "bottom").unwrap(), Support::Clamped)];
+    (choice.build)(&values).unwrap()
+}
+
+/// A block of steel clamped at its bottom; of so many elements in the zone, or with an image field.
+fn block(size: [f64; 3], elements: Option<f64>) -> Body {
+    let shape = shape(size, elements);
+    let (meshed, elasticity) = match elements {
+        Some(_) => (shape.mesh([false; 2], &clamped()).unwrap(), Elasticity::BoundaryElements),
+        None => (shape.coarse([ZONE; 2], [false; 2], &clamped()).unwrap(), Elasticity::Image),
+    };
+    let bottom = meshed.mesh.surfaces.iter().position(|name| name == "bottom").unwrap();
     let finite = Finite {
         meshed,
         curvatures: Some([0.0; 2]),
-        supports,
+        supports: vec![(bottom, Support::Clamped)],
         mirrored: [false; 2],
         interpolation: Interpolation::Discontinuous,
         tolerance: 1e-6,
-        elasticity: Elasticity::Image,
+        elasticity,
     };
-    let block = Body::new("block", Flat).material(Material::new(210e9, 0.3).unwrap());
-    let block = if which == "half" { block } else { block.finite(finite) };
-    let punch = Body::new("punch", AxisymmetricPower::new(0.005, 2.0).unwrap());
-    let start = Instant::now();
-    let planned =
-        Sliding::new().over(1.0, Control::Approach(7e-5), Stepping::Implicit(1.0)).unwrap();
-    let simulation =
-        Simulation::builder([punch, block], planned).frame([0.2; 2], [n; 2]).build().unwrap();
-    let built = start.elapsed();
-    let run = Run::begin(simulation).unwrap();
+    Body::new("block", Flat).material(Material::new(210e9, 0.3).unwrap()).finite(finite)
+}
+
+fn punch() -> Body {
+    Body::new("punch", AxisymmetricPower::new(0.005, 2.0).unwrap())
+}
+
+/// The load (N) of a punch at an approach of 0.07 mm, and by how much it is said to be off.
+fn load(size: [f64; 3]) -> (f64, f64) {
+    let planned = Sliding::new().over(1.0, Control::Approach(7e-5), Stepping::Implicit(1.0));
+    let builder = Simulation::builder([punch(), block(size, None)], planned.unwrap());
+    let run = Run::begin(builder.frame([ZONE; 2], [96; 2]).build().unwrap()).unwrap();
     let report = run.report();
-    let load = report.problem.frame.integrate(&report.state.pressure);
-    let n = report.state.pressure.clone();
-    let zero = vec![0.0; n.len()];
-    let missed = report.problem.compliance.missed(&crate::frame::VectorField {
-        t1: zero.clone(),
-        t2: zero,
-        n,
-    });
-    let peak = report.state.pressure.iter().copied().fold(0.0, f64::max);
-    println!(
-        "{which} faces {faces} load {load:.1} peak {peak:.5e} missed {missed:?} built {built:?} all {:?}",
-        start.elapsed()
-    );
-    println!("faces frame {:?} {:?}", report.problem.frame.rectangle(), report.problem.compliance);
+    assert_eq!(report.problem.frame.elements(), [96; 2], "the zone holds the contact");
+    let tractions = VectorField { n: report.state.pressure.clone(), ..VectorField::zeros(96 * 96) };
+    (report.state.load, report.problem.compliance.missed(&tractions).unwrap())
+}
+
+/// Loads extrapolated from meshes around the zone, and from finite elements: of a cube, a slab as thick as the zone is wide, a column
+/// twice as wide as it and a block five times as high as wide. Half-spaces bear 1.80205e6 N.
+#[test]
+fn loads_of_punched_blocks_are_those_of_fine_meshes() {
+    let known = [
+        ([1.0, 1.0, 1.0], 1.8309e6, 5e-4),
+        ([1.0, 1.0, 0.2], 2.8081e6, 1e-3),
+        ([0.4, 0.4, 1.0], 1.1174e6, 1e-3),
+        ([1.0, 1.0, 5.0], 1.0813e6, 1e-3),
+    ];
+    for (size, known, within) in known {
+        let (load, missed) = load(size);
+        assert_relative_eq!(load, known, max_relative = within);
+        assert!((load / known - 1.0).abs() < missed && missed < 5e-3, "{size:?}: {load} {missed}");
+    }
+}
+
+/// Even tractions and such that rise along an axis displace pairs as the nodes of a mesh, less what half-spaces of both would, whose
+/// pairs are others: what is smooth is told apart by its means over the zone, weighed with the tractions. Body 2 lies above.
+#[test]
+fn image_fields_are_those_of_meshes_along_all_axes() {
+    let [dense, image] = [Some(6.0), None].map(|elements| block([0.6, 0.5, 0.4], elements));
+    let half_space = || Body { finite: None, ..image.clone() };
+    let frame = ContactFrame::uniform([ZONE; 2], [24; 2], [&Flat, &Flat]).unwrap();
+    for which in 0..2 {
+        let of = |body: &Body| {
+            if which == 0 { [body.clone(), punch()] } else { [punch(), body.clone()] }
+        };
+        let on_half_space = |body: Body| {
+            let [one, two] = of(&body);
+            let finite = dense
+                .finite
+                .as_ref()
+                .map(|finite| Finite { elasticity: Elasticity::HalfSpace, ..finite.clone() });
+            let laid = |body: Body| {
+                if body.material.is_some() { Body { finite: finite.clone(), ..body } } else { body }
+            };
+            [laid(one), laid(two)]
+        };
+        let meshed = |bodies: [Body; 2]| {
+            let bodies = bodies.map(|body| Body { profile: std::sync::Arc::new(Flat), ..body });
+            Contact::new(bodies.each_ref(), &condense).unwrap()
+        };
+        let (whole, laid) = (meshed(of(&dense)), meshed(on_half_space(half_space())));
+        let imaged = Image::new(of(&image).each_ref(), &frame).unwrap();
+        let plain = Image::new(of(&half_space()).each_ref(), &frame).unwrap();
+        // Loads of one component, even or rising along x, seen by the others.
+        for acting in 0..6 {
+            for seeing in 0..6 {
+                let work = |frame: &ContactFrame, compliance: &dyn Compliance| {
+                    let field = |load: usize| {
+                        let mut field = VectorField::zeros(frame.len());
+                        let along = [&mut field.t1, &mut field.t2, &mut field.n];
+                        let [t1, t2, n] = along;
+                        let values = [t1, t2, n].into_iter().nth(load % 3).unwrap();
+                        for (pair, value) in values.iter_mut().enumerate() {
+                            let x = frame.place(pair)[0] / (0.5 * ZONE);
+                            *value = if load < 3 { 1.0 } else { 3_f64.sqrt() * x };
+                        }
+                        field
+                    };
+                    let (load, seen) = (field(acting), field(seeing));
+                    let displaced = compliance.apply(&load);
+                    let products = displaced.components().into_iter().zip(seen.components());
+                    let products: Vec<f64> = products
+                        .flat_map(|(one, other)| one.iter().zip(other).map(|(a, b)| a * b))
+                        .collect();
+                    let areas = (0..3 * frame.len()).map(|at| frame.area(at % frame.len()));
+                    products.iter().zip(areas).map(|(product, area)| product * area).sum::<f64>()
+                };
+                let scale = work(&frame, &imaged).abs().max(1e-16);
+                let known =
+                    work(&whole.frame, &whole.compliance) - work(&laid.frame, &laid.compliance);
+                let found = work(&frame, &imaged) - work(&frame, &plain);
+                let least = 2e-3 * work(&frame, &plain).abs().max(1e-15);
+                assert!(
+                    (found - known).abs() <= 0.03 * known.abs() + least,
+                    "{which} {acting} {seeing}: {found:e} {known:e} of {scale:e}"
+                );
+            }
+        }
+    }
+}
+
+/// What a part of the frame, elements of twice the size, a larger frame and the passage from pair to pair make of a compliance is what
+/// they make of its displacements.
+#[test]
+fn other_elements_and_passages_see_the_same_field() {
+    let bodies = [punch(), block([1.0, 1.0, 1.0], None)];
+    let frame = ContactFrame::uniform([ZONE; 2], [16, 12], [&Flat, &Flat]).unwrap();
+    let image = Image::new(bodies.each_ref(), &frame).unwrap();
+    let pressure: Vec<f64> = (0..192).map(|pair| f64::from(pair % 7)).collect();
+    // A part: pressures on it alone.
+    let part = Part::inside([6, 5], [[3, 7], [2, 5]]);
+    let on_part = part.cut(&pressure);
+    let (mut whole, mut within) = (vec![0.0; 192], vec![0.0; 30]);
+    image.apply_normal(&part.put(&on_part), &mut whole);
+    image.within(&part).unwrap().apply_normal(&on_part, &mut within);
+    for (one, other) in within.iter().zip(part.cut(&whole)) {
+        assert_relative_eq!(*one, other, max_relative = 1e-9);
+    }
+    // Twice the size: the same pressures displace the middle of four elements by their mean, nearly.
+    let coarse: Vec<f64> = (0..48).map(|pair| f64::from(pair % 5)).collect();
+    let fine: Vec<f64> = (0..192).map(|pair| coarse[pair % 16 / 2 + 8 * (pair / 16 / 2)]).collect();
+    let mut on_coarse = vec![0.0; 48];
+    image.coarser().unwrap().apply_normal(&coarse, &mut on_coarse);
+    image.apply_normal(&fine, &mut whole);
+    let mean: f64 = whole.iter().sum::<f64>() / 192.0;
+    assert_relative_eq!(on_coarse.iter().sum::<f64>() / 48.0, mean, max_relative = 1e-2);
+    // A larger frame.
+    let larger = ContactFrame::uniform([ZONE * 1.5; 2], [24, 18], [&Flat, &Flat]).unwrap();
+    let lying = Part::inside([16, 12], [[4, 4], [3, 3]]);
+    let mut over = vec![0.0; 24 * 18];
+    image.on(&larger).unwrap().apply_normal(&lying.put(&pressure), &mut over);
+    image.apply_normal(&pressure, &mut whole);
+    for (one, other) in lying.cut(&over).iter().zip(&whole) {
+        assert_relative_eq!(*one, *other, max_relative = 1e-4);
+    }
+    assert!(image.on(&ContactFrame::uniform([1.1; 2], [8; 2], [&Flat, &Flat]).unwrap()).is_none());
+    // Passages.
+    let ones = vec![1.0; 192];
+    let tractions = VectorField { t1: pressure.clone(), t2: ones.clone(), n: vec![0.0; 192] };
+    let displaced = image.apply(&tractions);
+    for direction in [Direction::X, Direction::Y.back()] {
+        let flow = frame.flow(direction).unwrap();
+        let map = image.rolling(flow);
+        let (mut one, mut two) = (vec![0.0; 192], vec![0.0; 192]);
+        map.apply([&pressure, &ones], [&mut one, &mut two]);
+        let gained = flow.gained([&displaced.t1, &displaced.t2]);
+        for pair in (0..192).filter(|&pair| direction.ahead(pair, [16, 12]).is_some()) {
+            for (found, known) in [(one[pair], gained[0][pair]), (two[pair], gained[1][pair])] {
+                assert_relative_eq!(found, known, epsilon = 1e-12 * map.own() * 100.0);
+            }
+        }
+    }
+}
+
+/// Both bodies are blocks: each gives way as by itself.
+#[test]
+fn image_fields_of_two_bodies_add_up() {
+    let frame = ContactFrame::uniform([ZONE; 2], [10; 2], [&Flat, &Flat]).unwrap();
+    let [low, wide] = [[1.0, 1.0, 0.3], [0.8, 1.0, 0.6]].map(|size| block(size, None));
+    let wide = Body { name: "wide".to_owned(), ..wide };
+    let of = |bodies: [&Body; 2]| Image::new(bodies, &frame).unwrap();
+    let values = |scale: usize| (0..100).map(|pair| ((pair * scale) % 11) as f64).collect();
+    let tractions = VectorField { t1: values(3), t2: values(5), n: values(7) };
+    let both = of([&low, &wide]).apply(&tractions);
+    let [first, second] =
+        [of([&low, &punch()]), of([&punch(), &wide])].map(|one| one.apply(&tractions));
+    for (axis, both) in both.components().into_iter().enumerate() {
+        let sums = first.components()[axis].iter().zip(second.components()[axis]);
+        for (both, (one, other)) in both.iter().zip(sums) {
+            assert_relative_eq!(*both, one + other, epsilon = 2e-4 * first.n[0].abs());
+        }
+    }
 }

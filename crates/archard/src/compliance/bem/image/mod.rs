@@ -34,6 +34,8 @@ pub use zone::Polynomials;
 
 /// Points of a rule along a side at most: places nearer to the zone than they resolve are as good as it.
 const MOST_POINTS: usize = 64;
+/// By how much polynomials may miss an image field, relative to the field: less than elements do.
+pub const MISSED: f64 = 1e-4;
 /// Degrees at most: nearer to an edge an image field is no polynomial.
 pub const MOST_DEGREES: usize = 12;
 
@@ -57,8 +59,14 @@ pub struct Imaged<'a> {
 }
 
 /// The degree of polynomials that an image field on a rectangle takes to be met to a tolerance, relative to what it is itself: it has
-/// no singularity nearer than the mirror images of the rectangle in the planes of the body's other faces.
-pub fn degree(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle, tolerance: f64) -> usize {
+/// no singularity nearer than the mirror images of the rectangle in the planes of the body's other faces. `None` beyond
+/// [`MOST_DEGREES`].
+pub fn degree(
+    mesh: &Mesh,
+    mirrored: [bool; 2],
+    rectangle: &Rectangle,
+    tolerance: f64,
+) -> Option<usize> {
     let [low, size] = [rectangle.corner(), rectangle.size];
     let signs = |mirrored: bool| if mirrored { vec![1.0, -1.0] } else { vec![1.0] };
     let [along_x, along_y] = mirrored.map(signs);
@@ -81,7 +89,7 @@ pub fn degree(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle, tolerance
     });
     let ratio = nearest.fold(f64::INFINITY, f64::min);
     let degree = (tolerance.recip().ln() / ratio.ln()).ceil();
-    if degree.is_finite() { (degree.max(1.0) as usize).min(MOST_DEGREES) } else { MOST_DEGREES }
+    (degree <= MOST_DEGREES as f64).then_some(degree.max(1.0) as usize)
 }
 
 /// Whether the face z = 0 of a body holds a rectangle: its corners and the middles of its sides.
