@@ -112,8 +112,8 @@ pub struct FiniteCase {
     pub tolerance: f64,
     /// What tells how the body deforms.
     pub elasticity: Elasticity,
-    /// Whether the case says so, or it was chosen.
-    pub(crate) says: bool,
+    /// Why, where the case does not say so.
+    pub(crate) why: Option<&'static str>,
 }
 
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.

@@ -10,6 +10,7 @@ use super::footprint::memory;
 use super::surfaces::Surfaces;
 use super::words::{length, three};
 use super::{Parts, foreseen, size};
+use crate::case::definition::BodyCase;
 use crate::verdict::Verdict;
 use archard::body::mesh::{Listed, Meshed};
 use archard::body::{Elasticity, Finite};
@@ -37,6 +38,8 @@ pub struct Forecast {
     pub pairs: usize,
     /// Meshed bodies that are computed by boundary elements, with their numbers of unknowns.
     pub unknowns: Vec<(String, usize)>,
+    /// What tells how meshed bodies deform, in words: the body, that, and why where the case does not say so.
+    pub ways: Vec<(String, &'static str, Option<&'static str>)>,
     /// Bodies whose mesh is a file, with their surfaces.
     pub files: Vec<(String, Vec<Listed>)>,
     /// What meshed bodies may differ by from half-spaces; empty where no closed form tells.
@@ -83,6 +86,7 @@ impl Forecast {
             solves: Solves::of(parts),
             pairs: parts.pairs(),
             unknowns: unknowns(parts),
+            ways: ways(parts),
             files: files(parts),
             finiteness: Finiteness::of(parts, estimate.contact.as_ref()),
             memory: memory(parts),
@@ -98,6 +102,20 @@ fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
     let solved = |(_, finite): &(_, &Finite)| finite.elasticity != Elasticity::HalfSpace;
     let meshed = parts.meshed().filter(solved);
     meshed.map(|(body, finite)| (body.name.clone(), size(finite).unknowns)).collect()
+}
+
+/// What tells how meshed bodies deform.
+fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> {
+    let way = |body: &BodyCase| {
+        let finite = body.finite.as_ref()?;
+        let way = match finite.elasticity {
+            Elasticity::Image => "half-space and image field",
+            Elasticity::BoundaryElements => "mesh around its zone",
+            Elasticity::HalfSpace => "half-space on its mesh",
+        };
+        Some((body.name.clone(), way, finite.why))
+    };
+    parts.case.bodies.iter().filter_map(way).collect()
 }
 
 /// The surfaces of bodies whose mesh is a file.
@@ -221,6 +239,10 @@ impl Forecast {
             let elements: usize = surfaces.iter().map(|surface| surface.elements).sum();
             writeln!(f, "elements          {elements} of `{body}`")?;
             surfaces.iter().try_for_each(|one| writeln!(f, "                  {one}"))?;
+        }
+        for (body, way, why) in &self.ways {
+            let why = why.map_or_else(String::new, |why| format!(": {why}"));
+            writeln!(f, "elasticity        {way} for `{body}`{why}")?;
         }
         for (body, unknowns) in &self.unknowns {
             writeln!(f, "unknowns          {unknowns} of `{body}`")?;

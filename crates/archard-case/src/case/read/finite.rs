@@ -61,11 +61,12 @@ impl Reader<'_> {
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
         let (elasticity, says) = elasticity?;
+        let why = None;
         // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
         let read = self.supports(body, elasticity);
         let supports = read.clone().unwrap_or_default();
         let finite =
-            FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity, says };
+            FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity, why };
         let finite = if says { finite } else { image::chosen(finite, self.framed) };
         let meshed = self.meshed(&section, &finite)?;
         let named = self.named(body, &meshed);

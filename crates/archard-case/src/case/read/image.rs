@@ -14,41 +14,41 @@ use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::Item;
 
-/// The same body, with an image field if that does for its part; on a frame of its own if there is one.
+/// The same body with what tells how it deforms, and why; on a frame of its own if there is one.
 pub(super) fn chosen(finite: FiniteCase, framed: bool) -> FiniteCase {
-    let with = FiniteCase { elasticity: Elasticity::Image, ..finite.clone() };
-    let suits = match finite.zone() {
-        None => framed && with.meshed().is_ok(),
-        Some(_) if framed => false,
-        Some(zone) => pays(&finite, &with, zone).unwrap_or(false),
+    let with = FiniteCase { elasticity: Elasticity::Image, why: Some(FLAT), ..finite.clone() };
+    match against(&finite, &with, framed) {
+        None => with,
+        why => FiniteCase { why, ..finite },
+    }
+}
+
+const FLAT: &str = "it touches with a flat face, away from its edges";
+
+/// What speaks against an image field.
+fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'static str> {
+    let Ok(coarse) = with.meshed() else {
+        return Some("its zone lies on no flat face that reaches beyond it");
     };
-    if suits && bears_no_load(&finite) { with } else { finite }
-}
-
-/// Whether nothing but the contact loads the body, and nothing holds the face that touches.
-fn bears_no_load(finite: &FiniteCase) -> bool {
-    finite.supports.iter().all(|(surface, support)| surface != "top" && !support.loads())
-}
-
-/// Whether an image field takes fewer polynomials than the zone has elements, and fewer operations than a mesh around the zone; `None`
-/// where there is none.
-fn pays(
-    finite: &FiniteCase,
-    with: &FiniteCase,
-    (size, elements): ([f64; 2], [usize; 2]),
-) -> Option<bool> {
-    let coarse = with.meshed().ok()?;
-    let degree = image::degree(&coarse.mesh, [false; 2], &Rectangle::from(size), image::MISSED)?;
-    if (degree + 1) * (degree + 2) / 2 > elements[0] * elements[1] {
-        return Some(false);
+    if finite.supports.iter().any(|(surface, support)| surface == "top" || support.loads()) {
+        return Some("something else than the contact loads it, or holds the face that touches");
+    }
+    let Some((size, elements)) = finite.zone().filter(|_| !framed) else {
+        return (!framed || finite.zone().is_some()).then_some("its mesh says where it touches");
+    };
+    let degree = image::degree(&coarse.mesh, [false; 2], &Rectangle::from(size), image::MISSED);
+    let polynomials = degree.map_or(usize::MAX, |degree| (degree + 1) * (degree + 2) / 2);
+    if polynomials > elements[0] * elements[1] {
+        return Some("an edge is too near to its zone, or the zone has too few elements");
     }
     let shape = finite.mesh.build().ok()?;
     let dense =
         Size::at_least(shape.at_least(finite.mirrored, &finite.held()), finite.interpolation);
-    let coarse = Size::of(&coarse, finite.interpolation).unknowns;
     // The coarse mesh is halved once.
-    let fine = Size { unknowns: 4 * coarse, contact: 0 };
-    Some(fine.operations() <= dense.operations())
+    let unknowns = 4 * Size::of(&coarse, finite.interpolation).unknowns;
+    let fine = Size { unknowns, contact: 0 };
+    let less = "a mesh around so few elements takes less than an image field";
+    (fine.operations() > dense.operations()).then_some(less)
 }
 
 impl Reader<'_> {
@@ -65,16 +65,21 @@ impl Reader<'_> {
         let meshed = inside || bodies.iter().any(BodyCase::is_meshed);
         for body in bodies.iter_mut().filter(|body| meshed && body.has_image()) {
             let Some(finite) = &mut body.finite else { continue };
-            if finite.says && inside {
+            if finite.why.is_none() && inside {
                 continue;
             }
-            if finite.says {
+            if finite.why.is_none() {
                 let message = "an image field takes a half-space, a rigid body or another image field opposite, and the other body is meshed where it touches";
                 let key = Key::of(["body", &body.name, "elasticity"]);
                 self.push(Problem::error(key, message));
                 return None;
             }
             finite.elasticity = Elasticity::BoundaryElements;
+            finite.why = Some(if inside {
+                "stresses inside take a mesh around the zone"
+            } else {
+                "the other body is meshed where it touches"
+            });
         }
         Some(bodies)
     }
