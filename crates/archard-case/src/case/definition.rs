@@ -237,10 +237,11 @@ impl FiniteCase {
         supports.map(|(name, support)| (name.clone(), support.holds())).collect()
     }
 
-    /// The size (m) of the zone that may touch and the elements of it, where the mesh says so.
+    /// The size (m) of the zone that may touch and its pairs along x and y, where the mesh says so: two for each element, as its nodes
+    /// would be.
     pub(super) fn zone(&self) -> Option<([f64; 2], [usize; 2])> {
         let contact = self.mesh.values.section("contact")?;
-        Some((contact.pair("size")?, contact.pair("elements")?.map(|count| count as usize)))
+        Some((contact.pair("size")?, contact.pair("elements")?.map(|count| 2 * count as usize)))
     }
 
     /// A coarse mesh of the whole body for an image field of loads on a rectangle of that size (m) about the middle of its face.

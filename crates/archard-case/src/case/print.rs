@@ -47,7 +47,8 @@ impl Display for Case {
             }
             writeln!(f)?;
         }
-        if !self.is_meshed() {
+        let zone = |body: &BodyCase| body.finite.as_ref().is_some_and(|own| own.zone().is_some());
+        if !self.is_meshed() && !self.bodies.iter().any(zone) {
             let FrameCase { centre, size, elements, line, periodic, .. } = self.frame;
             if periodic {
                 writeln!(f, "frame.periodic = true")?;
@@ -223,7 +224,9 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
         Elasticity::Image => "image",
         Elasticity::BoundaryElements => "boundary_elements",
     };
-    writeln!(f, "{key}.elasticity = {}", quoted(elasticity))?;
+    if finite.why.is_none() {
+        writeln!(f, "{key}.elasticity = {}", quoted(elasticity))?;
+    }
     let interpolation = match finite.interpolation {
         Interpolation::Continuous => "continuous",
         Interpolation::Discontinuous => "discontinuous",

@@ -86,6 +86,43 @@ fn meshed_cases_read_back_to_the_same_bits() {
     reads_back(&punch(&[point]).case);
 }
 
+/// What tells how the block deforms.
+fn way(options: &[&str]) -> Elasticity {
+    let case = punch(options).case;
+    reads_back(&case);
+    case.bodies[1].finite.as_ref().unwrap().elasticity
+}
+
+/// A flat zone away from edges has an image field where that takes less than a mesh, alone bears load, and nothing is sought inside.
+#[test]
+fn flat_zones_have_image_fields_where_these_do() {
+    const FINE: &str = "body.block.mesh.box.contact.elements=[20, 20]";
+    assert_eq!(way(&[]), Elasticity::BoundaryElements, "few elements");
+    assert_eq!(way(&[FINE]), Elasticity::Image);
+    let told = |options: &[&str]| punch(options).forecast.to_string();
+    assert!(
+        told(&[FINE]).contains("half-space and image field for `block`: it touches with a flat")
+    );
+    for option in [
+        "body.block.supports={bottom=clamped, left={pressure=1 MPa}}",
+        "body.block.supports={top=clamped}",
+        "body.block.mesh.box.contact.size=[\"0.96 m\", \"0.2 m\"]",
+        "output.points.block.below=[\"0 mm\", \"1 mm\", \"-20 mm\"]",
+        "body.block.elasticity=boundary_elements",
+    ] {
+        assert_eq!(way(&[FINE, option]), Elasticity::BoundaryElements, "{option}");
+    }
+    // The frame is that of the zone, and grows; or one of its own.
+    let case = punch(&[FINE]).case;
+    assert_eq!((case.frame.size, case.frame.elements), ([0.2; 2], [40; 2]));
+    assert!(case.build().unwrap().problem.frame.is_uniform());
+    let framed =
+        ["body.block.mesh.box.contact=", "frame.size=[0.3 m, 0.2 m]", "frame.element=5 mm"];
+    assert_eq!(way(&framed), Elasticity::Image);
+    assert_eq!(punch(&framed).case.frame.elements, [60, 40]);
+    assert_eq!(way(&[framed[0], "accuracy=0.05"]), Elasticity::Image);
+}
+
 /// A quarter of the block has 4 x 4 elements in the zone, four nodes each; three unknowns a node.
 #[test]
 fn the_forecast_counts_pairs_and_unknowns() {

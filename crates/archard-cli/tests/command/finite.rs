@@ -201,7 +201,8 @@ fn check_compares_a_meshed_body_with_a_half_space() {
         "% of the approach where `block` ends, 500 mm away",
         "half-space        in place of `block`: about 1.2 % more approach",
         "of `block`\n",
-        "pairs             400\n",
+        "elasticity        half-space and image field for `block`: it touches with a flat face",
+        "pairs             1600\n",
         "No warnings.",
     ] {
         assert!(printed.contains(line), "{line} is not in\n{printed}");

@@ -149,7 +149,10 @@ fn a_run_that_does_not_come_to_its_first_step_costs_no_results() {
     let ran = command(dir.path(), "punch_indentation_block", &small).output().unwrap();
     assert!(ran.status.success(), "{}", said(&ran));
     let before = content(&dir.path().join("out"));
-    let fine = ["body.block.mesh.box.contact.elements=[60, 60]"];
+    let fine = [
+        "body.block.mesh.box.contact.elements=[60, 60]",
+        "body.block.elasticity=boundary_elements",
+    ];
     let mut run = command(dir.path(), "punch_indentation_block", &fine);
     let run = Run::start(run.arg("--force"));
     let holder = run.id().to_string();

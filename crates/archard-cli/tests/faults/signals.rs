@@ -81,7 +81,10 @@ fn a_second_signal_ends_it_at_once() {
 #[test]
 fn a_signal_ends_an_assembly() {
     let dir = tempfile::tempdir().unwrap();
-    let fine = ["body.block.mesh.box.contact.elements=[60, 60]"];
+    let fine = [
+        "body.block.mesh.box.contact.elements=[60, 60]",
+        "body.block.elasticity=boundary_elements",
+    ];
     let run = Run::start(&mut command(dir.path(), "punch_indentation_block", &fine));
     wait_until("the folder", || dir.path().join("out").exists());
     std::thread::sleep(Duration::from_millis(500));

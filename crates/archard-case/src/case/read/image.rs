@@ -1,6 +1,6 @@
 //! Whether a body of finite shape is taken as a half-space with an image field, where a case does not say.
 //!
-//! An image field takes a flat face, and loads on it alone. It is worth its polynomials where they are fewer than the elements of the
+//! An image field takes a flat face, and loads on it alone. It is worth its polynomials where they are fewer than the pairs of the
 //! zone, and its equations where they take less than those of a mesh whose nodes are the pairs. Polynomials have to be the more, the
 //! nearer the edges lie (`bem::image::degree`), and so do elements: near an edge the mesh wins.
 
@@ -33,13 +33,13 @@ fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'sta
     if finite.supports.iter().any(|(surface, support)| surface == "top" || support.loads()) {
         return Some("something else than the contact loads it, or holds the face that touches");
     }
-    let Some((size, elements)) = finite.zone().filter(|_| !framed) else {
+    let Some((size, pairs)) = finite.zone().filter(|_| !framed) else {
         return (!framed || finite.zone().is_some()).then_some("its mesh says where it touches");
     };
     let degree = image::degree(&coarse.mesh, [false; 2], &Rectangle::from(size), image::MISSED);
     let polynomials = degree.map_or(usize::MAX, |degree| (degree + 1) * (degree + 2) / 2);
-    if polynomials > elements[0] * elements[1] {
-        return Some("an edge is too near to its zone, or the zone has too few elements");
+    if polynomials > pairs[0] * pairs[1] {
+        return Some("an edge is too near to its zone, or the zone has too few pairs");
     }
     let shape = finite.mesh.build().ok()?;
     let dense =
