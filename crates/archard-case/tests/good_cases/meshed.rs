@@ -104,7 +104,7 @@ fn flat_zones_have_image_fields_where_these_do() {
         told(&[FINE]).contains("half-space and image field for `block`: it touches with a flat")
     );
     for option in [
-        "body.block.supports={bottom=clamped, left={pressure=1 MPa}}",
+        "body.block.supports={bottom=clamped, right={pressure=1 MPa}}",
         "body.block.supports={top=clamped}",
         "body.block.mesh.box.contact.size=[\"0.96 m\", \"0.2 m\"]",
         "output.points.block.below=[\"0 mm\", \"1 mm\", \"-20 mm\"]",

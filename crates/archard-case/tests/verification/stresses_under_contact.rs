@@ -11,6 +11,8 @@ use crate::common::{case, states};
 
 /// A block that is nearly a half-space; the contact has a radius of 1 mm.
 const LARGE: &str = r#"body.block.mesh.box.size=["40 mm", "40 mm", "40 mm"]"#;
+/// Stresses inside take a mesh around the zone.
+const MESHED: &str = "body.block.elasticity=boundary_elements";
 
 /// The load (N) at the end, and what it makes of a body.
 fn under(simulation: &Simulation, which: usize, points: &[Point]) -> (f64, Deformed) {
@@ -53,7 +55,7 @@ fn errors(elastic: f64, load: f64, deformed: &Deformed, depths: &[f64]) -> [f64;
 #[test]
 fn a_ball_stresses_the_inside_of_a_block_as_hertz_says() {
     let depths = [0.48e-3, 1e-3, 2e-3, 1e-12];
-    let simulation = case(BALL_ON_BLOCK, &[LARGE]);
+    let simulation = case(BALL_ON_BLOCK, &[LARGE, MESHED]);
     let (load, mut deformed) = under(&simulation, 1, &on_the_axis(&depths));
     let surface = errors(1.0, load, &deformed, &depths);
     deformed.points.pop();
@@ -93,7 +95,7 @@ fn stresses_in_both_bodies_are_those_of_each_other() {
 /// folder of what is kept gives the same without solving the equations again.
 #[test]
 fn a_section_shows_the_largest_equivalent_stress_where_hertz_has_it() {
-    let simulation = case(BALL_ON_BLOCK, &[LARGE]);
+    let simulation = case(BALL_ON_BLOCK, &[LARGE, MESHED]);
     let section = Section {
         name: "middle".to_owned(),
         through: [0.0; 3],

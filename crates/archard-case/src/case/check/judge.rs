@@ -254,7 +254,7 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let wide = (0..2).filter(|&axis| contact.semi_axes[axis].is_finite());
     let fewest = wide.map(|axis| cells[axis]).fold(f64::INFINITY, f64::min);
     (fewest < FEW_CELLS).then(|| {
-        let pairs = if parts.case.is_meshed() { "pairs" } else { "elements" };
+        let pairs = if parts.has_a_zone() { "pairs" } else { "elements" };
         let message = format!(
             "only {} {pairs} lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
             three(fewest)

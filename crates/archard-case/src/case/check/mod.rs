@@ -194,7 +194,13 @@ impl<'a> Parts<'a> {
 
     /// What the frame is called: the zone of a mesh is one too.
     fn frame_word(&self) -> &'static str {
-        if self.case.is_meshed() { "zone" } else { "frame" }
+        if self.has_a_zone() { "zone" } else { "frame" }
+    }
+
+    /// Whether the frame is the zone of a mesh.
+    fn has_a_zone(&self) -> bool {
+        let zone = |body: &BodyCase| body.finite.as_ref().is_some_and(|one| one.zone().is_some());
+        self.case.is_meshed() || self.case.bodies.iter().any(zone)
     }
 
     /// Whether the frame grows with the contact.

@@ -90,7 +90,8 @@ impl Reader<'_> {
         bodies: Option<&[BodyCase; 2]>,
         frame: &FrameCase,
     ) -> bool {
-        let images = bodies.into_iter().flatten().filter(|body| body.has_image());
+        let framed = self.framed;
+        let images = bodies.into_iter().flatten().filter(|body| framed && body.has_image());
         for body in images {
             let zone = body.finite.as_ref().and_then(FiniteCase::zone);
             if zone.is_some_and(|(size, elements)| {
