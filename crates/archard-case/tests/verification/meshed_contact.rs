@@ -44,6 +44,43 @@ fn a_block_becomes_a_half_space_as_it_grows() {
     }
 }
 
+/// A ball frets on a block and both wear. The image field and a mesh around the zone agree on the forces at the ends of the strokes, on
+/// what is dissipated and on what is worn off; as a half-space the block takes up less of the stroke.
+#[test]
+fn a_block_with_an_image_field_frets_as_its_mesh_does() {
+    const FRETTING: &str = r#"
+[body.ball]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.sphere = { radius = "50 mm" }
+[body.block]
+material = { young = "210 GPa", poisson = 0.3 }
+mesh.box = { size = ["10 mm", "10 mm", "10 mm"], contact = { size = ["1.2 mm", "1.2 mm"], elements = [6, 6] } }
+supports = { bottom = "clamped" }
+wear.archard = { coefficient = "1e-13 1/Pa" }
+[friction.coulomb]
+coefficient = 0.6
+[motion.fretting]
+load = "100 N"
+amplitude = ["1.5 um", "0 um"]
+cycles = 1
+"#;
+    let of = |elasticity: &str| {
+        let option = format!("body.block.elasticity={elasticity}");
+        let simulation = case(FRETTING, &[&option]);
+        let states = states(&simulation).unwrap();
+        let frame = &simulation.problem.frame;
+        let force = |state: &archard::problem::ContactState| frame.force(&state.tractions())[0];
+        let forces = states.iter().map(|(state, ..)| force(state).abs());
+        let last = &states.last().unwrap().0;
+        [forces.fold(0.0, f64::max), frame.integrate(&last.surfaces[1].depth)]
+    };
+    let [image, mesh, half_space] = ["image", "boundary_elements", "half_space"].map(of);
+    for ((image, mesh), half_space) in image.into_iter().zip(mesh).zip(half_space) {
+        assert_relative_eq!(image, mesh, max_relative = 0.01);
+        assert!((half_space / mesh - 1.0).abs() > 0.02, "{half_space:e} {mesh:e}");
+    }
+}
+
 /// Blocks alike that are pressed on each other share the approach.
 #[test]
 fn two_blocks_share_what_one_takes_alone() {
