@@ -26,7 +26,7 @@ struct Elasticity {
 
 const GRID: &str = "frame = { size = [\"0.6 mm\", \"0.6 mm\"], elements = [16, 16] }";
 
-const ELASTICITIES: [Elasticity; 6] = [
+const ELASTICITIES: [Elasticity; 7] = [
     Elasticity {
         name: "like half-spaces",
         upper: "profile.sphere.radius = \"10 mm\"",
@@ -63,9 +63,16 @@ const ELASTICITIES: [Elasticity; 6] = [
         like: true,
     },
     Elasticity {
+        name: "a body with an image field",
+        upper: "profile.sphere.radius = \"10 mm\"",
+        lower: "mesh.box.size = [\"4 mm\", \"4 mm\", \"4 mm\"]\nsupports = { bottom = \"clamped\" }",
+        frame: GRID,
+        like: true,
+    },
+    Elasticity {
         name: "a meshed body",
         upper: "profile.sphere.radius = \"10 mm\"",
-        lower: "mesh.box = { size = [\"4 mm\", \"4 mm\", \"4 mm\"], contact = { face = \"top\", size = [\"0.6 mm\", \"0.6 mm\"], elements = [8, 8] } }\nsupports = { bottom = \"clamped\" }",
+        lower: "mesh.box = { size = [\"4 mm\", \"4 mm\", \"4 mm\"], contact = { face = \"top\", size = [\"0.6 mm\", \"0.6 mm\"], elements = [8, 8] } }\nsupports = { bottom = \"clamped\" }\nelasticity = \"boundary_elements\"",
         frame: "",
         like: true,
     },

@@ -92,7 +92,9 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
             Problem::error(parts.frame_key("size"), message)
                 .help("the profile does not cover the zone of the mesh")
         }
-        ContactError::NoZone { body } | ContactError::Singular { body, .. } => {
+        ContactError::NoZone { body }
+        | ContactError::HasImage { body }
+        | ContactError::Singular { body, .. } => {
             Problem::error(key(&bodies[body], "mesh"), message).at_name()
         }
         ContactError::Pairs(_) | ContactError::NoMemory(_) => {

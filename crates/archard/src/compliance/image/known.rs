@@ -71,12 +71,14 @@ impl Known {
             return Ok(None);
         }
         let steps = (0..).find(|times| covers(self.enlarged(*times), rectangle)).unwrap_or(0);
-        let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, fields)) = found.iter().find(|(times, _)| *times == steps) {
-            return Ok(Some(fields.clone()));
+        let found = || self.found.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = found().iter().find(|(times, _)| *times == steps).cloned();
+        if let Some((_, fields)) = known {
+            return Ok(Some(fields));
         }
+        // Nobody waits meanwhile: threads that wait for others may come here.
         let fields = self.fields(self.within_the_faces(steps))?;
-        found.push((steps, fields.clone()));
+        found().push((steps, fields.clone()));
         Ok(Some(fields))
     }
 

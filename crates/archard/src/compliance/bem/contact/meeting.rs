@@ -33,6 +33,9 @@ impl<'a> Meeting<'a> {
     /// # Errors
     /// If they cannot touch, are not held or profiles end within the zone.
     pub fn of(bodies: [&'a Body; 2]) -> Result<Self, ContactError> {
+        if let Some(body) = bodies.iter().position(|body| body.has_image()) {
+            return Err(ContactError::HasImage { body });
+        }
         let which = bears_the_pairs(bodies);
         let host = Side::new(bodies[which], which)?;
         let mut pairs = host.host.pairs();

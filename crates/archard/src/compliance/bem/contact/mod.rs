@@ -83,6 +83,15 @@ pub enum ContactError {
         /// The largest angle between normals (degrees).
         angle: f64,
     },
+    /// A body with an image field, whose mesh says nothing of its contact.
+    #[error(
+        "body {} has an image field: its mesh says nothing of its contact, nor of the stresses below; take `Elasticity::BoundaryElements`",
+        .body + 1
+    )]
+    HasImage {
+        /// The body's index, 0 or 1.
+        body: usize,
+    },
     /// A frame that reaches beyond the flat face of a body.
     #[error("the frame reaches beyond the flat face of a body of finite shape: make it smaller")]
     BesideTheFace,
