@@ -161,7 +161,7 @@ impl Rows<'_> {
             {
                 match given {
                     Given::Traction(traction) => {
-                        let others = loads.into_iter().flat_map(|loads| {
+                        let others = loads.iter().flat_map(|loads| {
                             loads.tractions[3 * local.traction + direction].iter()
                         });
                         for (column, traction) in
