@@ -281,7 +281,7 @@ pub fn balance(force: f64, moment: f64) -> [Line; 2] {
 /// the largest displacement of the contact.
 ///
 /// Loads at a given approach of a punch on a cube, a slab, a column and a block five times as high as wide were off by less than this:
-/// a tenth of it to nearly all (`cargo test -p archard --lib compliance::image`). Up to one percent a run is what its elements make of
+/// a tenth of it to nearly all (`cargo test -p archard --test image`). Up to one percent a run is what its elements make of
 /// it; beyond a tenth the image field is unknown.
 pub fn image(missed: f64) -> Line {
     let text = "of the displacements is what half the elements change in the image field of a body: `elasticity = \"boundary_elements\"` takes its shape as it is";
