@@ -62,6 +62,20 @@ impl Reader<'_> {
         let output = root.get("output").map(|(_, entry)| &entry.node.item);
         let asks = |name| matches!(output, Some(Item::Table(table)) if table.get(name).is_some());
         let inside = asks("points") || asks("sections");
+        for body in bodies.iter().filter(|body| body.has_image()) {
+            let supports = body.finite.iter().flat_map(|finite| &finite.supports);
+            for (surface, support) in supports {
+                if support.loads() || surface == "top" {
+                    let message = "an image field is that of loads on the contact alone: leave this out, or give \
+                                   `elasticity = \"boundary_elements\"`";
+                    self.push(Problem::error(
+                        Key::of(["body", &body.name, "supports", surface]),
+                        message,
+                    ));
+                    return None;
+                }
+            }
+        }
         let meshed = inside || bodies.iter().any(BodyCase::is_meshed);
         for body in bodies.iter_mut().filter(|body| meshed && body.has_image()) {
             let Some(finite) = &mut body.finite else { continue };
