@@ -7,13 +7,13 @@
 
 use std::ops::ControlFlow;
 
+use archard::numerics::control::{Caution, Control};
+
 use super::rates::{Depths, Rates};
 use super::{Journey, WearError, Worn, WornProfile};
 
-/// The aim for the next error, and how much longer or shorter a step may become at once: the usual choice of codes for
-/// differential equations (Hairer, Norsett and Wanner 1993, II.4).
-const AIM: f64 = 0.8;
-const CHANGES: [f64; 2] = [0.2, 5.0];
+/// How steps change: the usual choice of codes for differential equations (Hairer, Norsett and Wanner 1993, II.4).
+const CAUTION: Caution = Caution { aim: 0.8, change: [0.2, 5.0], again: 1.0, failed: 0.2 };
 
 /// A step that was taken.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +42,7 @@ impl Journey {
         let mut worn = self.unworn()?;
         let mut depths: Depths = vec![vec![None; worn.len()]; self.route.points.len()];
         let (mut progress, mut steps) = (0.0, 0);
-        let mut length = self.tolerance.sqrt();
+        let mut control = Control::first(self.tolerance.sqrt());
         let mut show = |progress: f64, worn: &[Worn]| match watch(&Step { progress, worn }) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(WearError::Stopped { progress }),
@@ -51,7 +51,7 @@ impl Journey {
         let (mut first, mut off) = self.rates(&worn, progress, &mut depths)?;
         while progress < 1.0 {
             let left = 1.0 - progress;
-            length = length.min(left);
+            let length = control.next().min(left);
             if length < f64::EPSILON.sqrt() {
                 return Err(WearError::Unsteady { progress });
             }
@@ -62,8 +62,8 @@ impl Journey {
                 Ok(found) => found,
                 // Too far: what is wrong at the beginning of a step is told by the one before.
                 Err(error) => {
-                    length *= CHANGES[0];
-                    if length < f64::EPSILON.sqrt() {
+                    control.failed(length, CAUTION);
+                    if control.next() < f64::EPSILON.sqrt() {
                         return Err(error);
                     }
                     continue;
@@ -78,7 +78,7 @@ impl Journey {
                 gone.iter().zip(&first[one][body]).map(|(gone, rate)| gone + left * rate).collect()
             });
             let share = if whole > 0.0 { error / (self.tolerance * whole) } else { 0.0 };
-            let factor = (AIM / share.max(f64::MIN_POSITIVE)).sqrt().clamp(CHANGES[0], CHANGES[1]);
+            let change = CAUTION.change(share.max(f64::MIN_POSITIVE), 1.0);
             if share <= 1.0 {
                 worn = advanced(&worn, &[(&first, 0.5 * length), (&second, 0.5 * length)])?;
                 progress = if length >= left { 1.0 } else { progress + length };
@@ -91,8 +91,10 @@ impl Journey {
                     (first, off_now) = self.rates(&worn, progress, &mut depths)?;
                     off = off.max(off_now);
                 }
+                control.taken(length, change);
+            } else {
+                control.rejected(length, change, CAUTION);
             }
-            length *= factor;
         }
         Ok(Gone { worn, steps, off })
     }

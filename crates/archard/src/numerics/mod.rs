@@ -1,6 +1,7 @@
 //! Numerical tools that know nothing of mechanics.
 
 pub mod bordered;
+pub mod control;
 pub mod convolution;
 pub mod dense;
 pub mod gmres;

@@ -25,27 +25,24 @@ use super::memory::{History, Increment};
 use super::moving::{Move, Moving};
 use super::setup::Simulation;
 use super::trial::{STATED, Trial, Way, depths, extrapolate, relative_change, slides};
-use crate::motion::{Control, Schedule};
+use crate::motion::{self, Schedule};
+use crate::numerics::control::{Caution, Control};
 use crate::numerics::vector::Values;
 use crate::problem::{ContactProblem, ContactState, Surface};
 
-/// Aim of the controller relative to the tolerance.
-const AIM: f64 = 0.9;
+/// How steps change: those that are rejected, or whose contact was not found, by the last two.
+const CAUTION: Caution = Caution { aim: 0.9, change: [0.2, 2.0], again: 0.8, failed: 0.25 };
 /// What steps may err by, over the tolerance, before the first output, and before a tenth of the way.
 const LOOSER: f64 = 2.5;
 const EARLY: f64 = 0.1;
 /// Lag of the pressure at the centre, relative, from which on an edge is thought to pass there.
 const EDGE: f64 = 0.1;
-/// Bounds on the change of the step from one to the next.
-const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Bounds on what of it follows the trend of the steps before.
 const TREND: (f64, f64) = (0.8, 1.2);
 /// The shortest step after another, relative, that ripples ask for.
 const SLOWER: f64 = 0.5;
 /// Lag of a step over that of the longer one tried before, above which it comes from the steps before.
 const INHERITED: f64 = 0.95;
-/// Share of a step whose contact was not found that is tried next.
-const SHORTER: f64 = 0.25;
 /// Shortest step, relative to the progress, that a lag from the steps before asks for.
 const SHORTEST: f64 = 0.06;
 /// Smallest step, relative to the extent of the motion.
@@ -60,7 +57,7 @@ pub(super) struct Adaptive {
     /// Surfaces put out: worn by the extrapolation, never falling anywhere, its volume exact.
     surfaces: [Surface; 2],
     /// Length of the next step (the motion's unit).
-    step: f64,
+    step: Control,
     /// Length of the last step (the motion's unit), and its error relative to what was allowed.
     last: Option<[f64; 2]>,
     /// Errors of the deepest wear by truncation and by ripples (m), the largest estimates so far.
@@ -87,7 +84,11 @@ impl Adaptive {
             coarse: initial.clone(),
             fine: initial.clone(),
             surfaces: initial.state.surfaces.clone(),
-            step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
+            step: Control::first(if first.is_finite() {
+                first.clamp(probe, extent)
+            } else {
+                extent
+            }),
             last: None,
             truncation: 0.0,
             ripple: 0.0,
@@ -105,12 +106,12 @@ impl Adaptive {
         let mut lag_of_longer = f64::INFINITY;
         loop {
             let progress = self.fine.state.progress;
-            let length = landing(self.step, target - progress);
+            let length = self.step.towards(target - progress);
             let smallest = SMALLEST * simulation.schedule.extent;
             let trial = match self.attempt(simulation, length, effort) {
-                Err(error) if error.is_of_length() && SHORTER * length >= smallest => {
+                Err(error) if error.is_of_length() && CAUTION.failed * length >= smallest => {
                     effort.rejected += 1;
-                    self.step = SHORTER * length;
+                    self.step.failed(length, CAUTION);
                     continue;
                 }
                 attempt => attempt?,
@@ -122,7 +123,7 @@ impl Adaptive {
             // Planes wear evenly, without an error.
             let trend = trend.filter(|trend| trend.is_finite()).unwrap_or(1.0);
             let trend = trend.clamp(TREND.0, TREND.1);
-            let mut change = (trend * (AIM / excess).sqrt()).clamp(CHANGE.0, CHANGE.1);
+            let mut change = CAUTION.change(excess, trend);
             let inherited = trial.lag > INHERITED * lag_of_longer;
             if simulation.problem.motion.has_positions() || inherited {
                 // How the surfaces fit after the last position of a swing, or where each history met the last ring, stays
@@ -132,21 +133,21 @@ impl Adaptive {
             }
             if excess <= 1.0 {
                 // Ripples reject no step: else those would be accepted that end where both histories agree by chance.
-                let of_ripple = (AIM / trial.excess_of_ripple(tolerance)).sqrt();
+                let of_ripple = (CAUTION.aim / trial.excess_of_ripple(tolerance)).sqrt();
                 change = change.min(of_ripple.max(SLOWER));
-                let shortened = length < 0.9 * self.step && change >= 1.0;
-                let next = if shortened { self.step.max(change * length) } else { change * length };
-                self.step = next.max(smallest);
+                self.step.taken(length, change);
+                self.step.at_least(smallest);
                 self.last = Some([length, with_lag]);
                 let weight = simulation.problem.frame.measure().weight;
                 return Ok(self.accept(trial, weight, slides(&simulation.problem), effort));
             }
             effort.rejected += 1;
             lag_of_longer = trial.lag;
-            self.step = length * change.min(0.8);
-            if self.step < smallest {
+            self.step.rejected(length, change, CAUTION);
+            let step = self.step.next();
+            if step < smallest {
                 let measure = simulation.problem.motion.progress;
-                return Err(Error::StepTooSmall { measure, progress, step: self.step });
+                return Err(Error::StepTooSmall { measure, progress, step });
             }
         }
     }
@@ -196,7 +197,7 @@ impl Adaptive {
             worn: &worn,
         };
         let mut trial = Trial::of(coarse, fine, &way);
-        if matches!(simulation.schedule.control, Control::Approach(_)) {
+        if matches!(simulation.schedule.control, motion::Control::Approach(_)) {
             // Pressures fade to nothing as the bodies part: steps are not chosen by what they lag by.
             trial.lag = 0.0;
         }
@@ -249,12 +250,6 @@ impl Move for Adaptive {
             ..*self
         }
     }
-}
-
-/// A step that ends on the next target, alone or with one more of its length, if it comes near it.
-fn landing(step: f64, rest: f64) -> f64 {
-    let count = (rest / step - 0.1).ceil().max(1.0);
-    if count <= 2.0 { rest / count } else { step }
 }
 
 /// Factor on the tolerance of a step that ends there: more than 1 before the first output.

@@ -11,9 +11,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Aim relative to what the tolerance allows, and bounds on the change from one jump to the next.
-const AIM: f64 = 0.8;
-const CHANGE: (f64, f64) = (0.2, 2.0);
+use crate::numerics::control::{Caution, Control};
+
+/// How jumps change: the aim is 0.8 of the length that would err by all that is allowed.
+const CAUTION: Caution = Caution { aim: 0.64, change: [0.2, 2.0], again: 0.5, failed: 0.25 };
 /// Error that is kept over the square of the one that is corrected.
 const SECOND: f64 = 2.0;
 /// What is stated of the errors taken together: on the punch of 20 x 20 elements they came to two thirds of the true error
@@ -33,7 +34,7 @@ const MOST_STEPS: usize = 64;
 pub(super) struct JumpControl {
     tolerance: f64,
     /// Cycles to go on by, the one computed included.
-    cycles: f64,
+    cycles: Control,
     /// Error (m) of the worn depths, a 2-norm over the pairs.
     error: f64,
 }
@@ -60,13 +61,12 @@ pub(super) struct Tried {
 
 impl JumpControl {
     pub fn new(tolerance: f64) -> Self {
-        Self { tolerance, cycles: 2.0, error: 0.0 }
+        Self { tolerance, cycles: Control::first(2.0), error: 0.0 }
     }
 
     /// Cycles to jump over before the next one is computed, which may be that many ahead at most.
     pub fn jump(&self, ahead: usize) -> usize {
-        let count = (ahead as f64 / self.cycles - 0.1).ceil().max(1.0);
-        let cycles = if count <= 2.0 { ahead as f64 / count } else { self.cycles };
+        let cycles = self.cycles.towards(ahead as f64);
         (cycles.round() as usize).clamp(1, ahead.max(1)) - 1
     }
 
@@ -84,14 +84,20 @@ impl JumpControl {
 
     /// Makes the next jump shorter than one that could not be carried through.
     pub fn shorten(&mut self, length: usize) {
-        self.cycles = if length == 1 { 1.0 } else { (1.0 + 0.25 * length as f64).max(2.0) };
+        self.again(length, CAUTION.failed);
+    }
+
+    /// The next jump after one that is not kept: none where there was but one cycle to jump over.
+    fn again(&mut self, length: usize, change: f64) {
+        let cycles = if length == 1 { 1.0 } else { (1.0 + change * length as f64).max(2.0) };
+        self.cycles = Control::first(cycles);
     }
 
     /// Whether a jump is good enough; sets the next jump.
     pub fn judge(&mut self, tried: Tried) -> bool {
         let Tried { length, made, off, flipped, worn, lag, turned, done } = tried;
         if length == 0 {
-            self.cycles = self.cycles.max(2.0);
+            self.cycles.at_least(2.0);
             return true;
         }
         let [even, flipped] = [(off * off - flipped * flipped).max(0.0).sqrt(), flipped]
@@ -99,20 +105,18 @@ impl JumpControl {
         let uneven = unevenness(done, length) * even;
         let error = SECOND * even * even + uneven + 0.5 * flipped + lag;
         let aim = self.aim(made, worn);
-        let change = (AIM * (aim / error).sqrt()).clamp(CHANGE.0, CHANGE.1);
+        let change = CAUTION.change(error / aim, 1.0);
         // A turn is met as closely as the tolerance resolves the cycles so far.
         let overrun = turned && length > 1 && length as f64 > self.tolerance * done as f64;
         let total = self.error + made * error;
         // One jump may do worse where those before it did better, or where it adds little.
         let spare = error <= SPARE * aim && total <= self.tolerance * worn;
         if (error > self.tolerance && !spare) || overrun {
-            let shorter = 1.0 + length as f64 * change.min(0.5);
-            self.cycles = if length == 1 { 1.0 } else { shorter.max(2.0) };
+            self.again(length, change.min(CAUTION.again));
             return false;
         }
-        let longer = 1.0 + change * length as f64;
-        let shortened = ((length + 1) as f64) < 0.8 * self.cycles && change >= 1.0;
-        self.cycles = if shortened { self.cycles.max(longer) } else { longer };
+        let cycles = length as f64 + 1.0;
+        self.cycles.taken(cycles, (1.0 + change * length as f64) / cycles);
         self.error = total;
         true
     }
