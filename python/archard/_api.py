@@ -17,8 +17,8 @@ from archard._errors import (
 from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
 from archard._surface import Surface, surface
-from archard._tribometer import read_log
 from archard._sweep import Row, Sweep, sweep
+from archard._tribometer import read_log
 from archard._validate import Compared, Validated, validate
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Snapshot, Table, Verdict

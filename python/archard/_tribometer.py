@@ -15,11 +15,16 @@ def read_log(
     columns: Mapping[str, str] | None = None,
     values: Mapping[str, str] | None = None,
 ) -> dict[str, Any]:
-    """Read the log of a tribometer, as ``archard log --json`` does: rate, friction and their 95 % intervals, in SI.
+    """Read the log of a tribometer: rate, friction and their 95 % intervals, in SI.
 
-    ``columns`` names columns by what they hold (``{"wear": "Displacement [um]"}``), ``values`` gives what the log does not
-    hold (``{"load": "5 N"}``). A log that cannot be read raises ``ValueError``; a step without a coefficient says why in
-    ``refused``.
+    Args:
+        file: text as the instrument wrote it, or that text in gzip.
+        columns: columns by what they hold, as ``{"wear": "Displacement [um]"}``.
+        values: what the log does not hold, as ``{"load": "5 N"}``.
+
+    Raises:
+        ValueError: a log that cannot be read. A step without a coefficient has the reason in ``refused``.
+
     """
     pairs = [list((given or {}).items()) for given in (columns, values)]
     told: dict[str, Any] = json.loads(_archard.read_log(file, *pairs))

@@ -195,7 +195,7 @@ class Result:
 
     @property
     def lives(self) -> dict[str, Any] | None:
-        """How lives of parts alike scatter by a fitted coefficient: median, ``B10``, ``B1``, shares (SI); ``None`` if unknown."""
+        """How lives scatter by a fitted coefficient: median, ``B10``, ``B1``, shares (SI); ``None`` if unknown."""
         found = self.summary.get("life") or {}
         scatter: dict[str, Any] | None = found.get("distribution")
         return scatter

@@ -62,7 +62,11 @@ impl Coefficient {
         let Estimate { distance, loads, next, between, .. } = &self.estimate;
         let broken = self.broken().unwrap_or_default();
         let rejected = if self.assumed { Word::Doubtful } else { Word::Wrong };
-        let word = |own: &Exponent| if own.rejects() { rejected } else { Word::Good };
+        let word = |own: &Exponent| match (own.rejects(), own.is_open()) {
+            (true, _) => rejected,
+            (false, true) => Word::Doubtful,
+            (false, false) => Word::Good,
+        };
         let why = |own: &Exponent, of: &str| {
             let why = if own.rejects() {
                 format!("; {broken}{}", self.if_assumed())

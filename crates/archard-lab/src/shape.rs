@@ -27,6 +27,12 @@ impl Exponent {
         self.p < REJECTED && (self.value - self.law).abs() > NEGLIGIBLE
     }
 
+    /// Whether the readings leave it open: the interval holds an exponent of one less, wear that does not depend on it at all.
+    pub fn is_open(&self) -> bool {
+        let [low, high] = self.interval;
+        !self.rejects() && (low..=high).contains(&(self.law - 1.0))
+    }
+
     /// The exponent, its interval, how probable it is, and what follows from both.
     pub fn in_words(&self) -> String {
         let off = (self.value - self.law).abs();
@@ -38,6 +44,10 @@ impl Exponent {
         };
         let number = |value: f64| format!("{value:.decimals$}");
         let (p, word) = match (is_chance, self.rejects()) {
+            (true, _) if self.is_open() => (
+                format!("p = {:.2}", self.p),
+                format!("open, as the interval holds {:.0}, no dependence at all", self.law - 1.0),
+            ),
             (true, _) => (format!("p = {:.2}", self.p), "accepted".to_owned()),
             (false, true) => (format!("p < {REJECTED}"), "rejected".to_owned()),
             (false, false) => (
@@ -199,6 +209,10 @@ mod tests {
         assert_eq!(
             words(0.9862, 0.0051, 1e-4),
             "0.986 (0.981 .. 0.991), p < 0.05: accepted, though it is no chance: off by 0.014, and less than 0.05 is negligible"
+        );
+        assert_eq!(
+            words(0.7, 0.9, 0.4),
+            "0.70 (-0.20 .. 1.60), p = 0.40: open, as the interval holds 0, no dependence at all"
         );
         assert_eq!(words(0.5, 0.1, 1e-5), "0.50 (0.40 .. 0.60), p < 0.05: rejected");
     }

@@ -136,8 +136,8 @@ impl Scar {
         let [low, high] = shape.extent(*grown).map(|place| place + shift);
         let next_to_it = blocks.span() * (1.0 - debris) - (high - low);
         let freedom = (next_to_it / correlated - 1.0).max(1.0);
-        // Growth and place are found by the scar: by as many independent stretches as it has, less these two.
-        let within = ((high - low) / scatter.length - 2.0).max(1.0);
+        // Growth and place are found by the scar, too: by as many independent stretches as it has, less these two.
+        let within = ((high - low) / scatter.length - 2.0).max(1.0).min(freedom);
         let estimate = |(value, standard): (f64, f64), freedom: f64| {
             let factor = StudentsT::new(0.0, 1.0, freedom)
                 .map_or(f64::INFINITY, |own| own.inverse_cdf(0.975));

@@ -72,7 +72,6 @@ impl Reader<'_> {
                         Key::of(["body", &body.name, "supports", surface]),
                         message,
                     ));
-                    return None;
                 }
             }
         }
