@@ -29,6 +29,7 @@ __all__ = [
     "read_surface",
     "solve_contact",
     "solve_elastic",
+    "validate",
     "verify",
 ]
 __version__: str

@@ -34,7 +34,7 @@ pub enum NoScar {
     },
     /// Too much of it was not measured.
     #[error(
-        "{:.0} % of the scar lies beyond the profile, and 20 % may: measure wider, and see that units and the shape of the body are right",
+        "{:.0} % of the scar was not measured, and 20 % may be missing: measure wider, and see that units and the shape of the body are right",
         100.0 * .share
     )]
     Unseen {
