@@ -283,11 +283,12 @@ impl Measured {
             Taken::Profile(scar, axis) => {
                 let along = |value: f64| if *axis == 0 { [value, 0.0] } else { [0.0, value] };
                 let ends = scar.extent.map(along);
+                let extent = [0, 1].map(|axis| ends.map(|end: [f64; 2]| end[axis]));
                 json!({
                     "axis": if *axis == 0 { "x" } else { "y" }, "middle_m": along(scar.place.value),
                     "uncertainty_of_middle_m": scar.place.standard,
                     "depth_m": scar.depth.map(|own| own.value), "width_m": scar.width.map(|own| own.value),
-                    "from_to_m": [0, 1].map(|axis| ends.map(|end| end[axis])), "tilt": along(scar.tilt),
+                    "from_to_m": extent, "tilt": along(scar.tilt),
                     "offset_m": scar.height, "scatter_m": scar.texture.hypot(scar.noise),
                     "correlation_length_m": scar.length, "misfit": scar.misfit, "spikes": scar.spikes, "debris": scar.debris,
                 })
