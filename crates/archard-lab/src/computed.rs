@@ -72,13 +72,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
                 ["x", "y"][axis]
             ))
         };
-        let last = steps.last().ok_or_else(none)?;
-        let deepest = |step: &Vec<[f64; 2]>| step.iter().map(|own| own[1]).fold(0.0, f64::max);
-        let section = |step: &Vec<[f64; 2]>| -> f64 { step.iter().map(|own| own[1]).sum() };
-        let sections: Vec<f64> = steps.iter().map(section).collect();
-        let depths: Vec<f64> = steps.iter().map(deepest).collect();
-        let [places, worn] = [0, 1].map(|i| last.iter().map(|own| own[i]).collect());
-        Shape::new(places, worn, Shape::deepening(&sections, &depths)).ok_or_else(none)
+        Shape::of(steps).ok_or_else(none)
     }
 
     fn run(&mut self, settings: &[Setting]) -> Result<Shown, Error> {

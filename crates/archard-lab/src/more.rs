@@ -1,14 +1,12 @@
 //! What further tests would narrow: the interval of a coefficient by the scatter found so far.
 
 use super::effects::factor;
-use super::estimate::{Estimate, OWN};
+use super::estimate::{Estimate, MANY, OWN};
 
-/// The half of an interval, relative, that is asked for.
+/// The half of an interval, relative, whose number of tests is said.
 pub const WANTED: f64 = 0.05;
-/// Tests beyond which nobody goes.
+/// Most tests that are counted.
 const MOST: usize = 1000;
-/// Half of a 95 % interval of a normal distribution, in its standard deviations.
-const NORMAL: f64 = 1.96;
 
 /// What further tests would narrow.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +29,7 @@ impl Estimate {
                 self.budget.iter().filter(|(source, _)| OWN.contains(&source.as_str()) == own);
             parts.map(|(_, part)| part * part).sum::<f64>().sqrt()
         };
-        let (own, common) = (sum(true), NORMAL * sum(false));
+        let (own, common) = (sum(true), factor(MANY) * sum(false));
         let half = |tests: usize| {
             let own = own * (count as f64 / tests as f64).sqrt() * factor(tests as f64 - 1.0);
             own.hypot(common).exp_m1()

@@ -16,8 +16,6 @@ use archard_case::measured::surface::{Scar, Surface, Unworn};
 use archard_case::verdict::four;
 use archard_surface::scar::{NoScar, Scar as ProfileScar};
 
-/// Half of a 95 % interval of a normal distribution, in its standard deviations.
-const NORMAL: f64 = 1.96;
 /// Runs that a profile is held against, at most: the second has its section as far as wear follows a power of its coefficient.
 const RUNS: usize = 3;
 
@@ -224,7 +222,8 @@ impl<'a> Shape<'a> {
             }
         }
         Err(refuse(format!(
-            "its scar has {factor:.3} times the section of the run of the case, and runs with that wear show another one again: put a coefficient              into the case with which it wears about as much"
+            "its scar has {factor:.3} times the section of the run of the case, and runs with that wear show another one again: put a coefficient into \
+             the case with which it wears about as much"
         )))
     }
 
@@ -244,7 +243,7 @@ impl Taken {
     fn worn(&self) -> (f64, f64) {
         match self {
             Taken::Map(scar) => (scar.worn, scar.uncertainty),
-            Taken::Profile(scar, _) => (scar.section.value, scar.section.expanded / NORMAL),
+            Taken::Profile(scar, _) => (scar.section.value, scar.section.normal()),
             Taken::Unmeasured => (1.0, 1.0),
         }
     }

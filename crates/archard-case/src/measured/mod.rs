@@ -122,6 +122,13 @@ impl Table {
         Ok(self)
     }
 
+    /// The same with the rows, counted from zero, that are kept; lines stay those of the file.
+    #[must_use]
+    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let rows = self.rows.iter().enumerate().filter(|(row, _)| keep(*row));
+        Self { rows: rows.map(|(_, row)| row.clone()).collect(), ..self.clone() }
+    }
+
     /// What messages call the table.
     pub fn source(&self) -> &str {
         &self.source

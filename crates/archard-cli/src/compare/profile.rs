@@ -1,7 +1,7 @@
 //! A measured profile next to the worn one of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::simulation::history::{BODY_DEPTH, WORN_SECTION, WORN_VOLUME, of_body};
+use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, of_body};
 use archard_case::measured::surface::Surface;
 use archard_case::verdict::Verdict;
 use archard_surface::scar::{Estimate, Scar, Shape, depth_and_width};
@@ -16,9 +16,6 @@ use crate::report::quantity;
 
 /// Share of the width of the scar on either side of it within which readings are compared.
 const BESIDE: f64 = 0.25;
-
-/// Half of a 95 % interval of a normal distribution, in its standard deviations.
-const NORMAL: f64 = 1.96;
 
 /// Readings: place and height (m).
 pub(super) type Reading = (f64, f64);
@@ -54,7 +51,12 @@ pub(super) fn compare(
     let scar = match levelled {
         true => None,
         false => {
-            let shape = section.shape(results, body)?;
+            let steps = results.profiles.iter().filter(|own| own.axis == axis);
+            let steps: Vec<Vec<[f64; 2]>> =
+                steps.map(|own| points(own, name)).collect::<Result<_>>()?;
+            let shape = Shape::of(&steps).with_context(|| {
+                format!("the run has no section of `{name}` that a profile can be held against")
+            })?;
             let heights: Vec<[f64; 2]> = readings.iter().map(|(x, z)| [*x, *z]).collect();
             let found = Scar::find(&heights, &nominal, &shape);
             let found = found.with_context(|| {
@@ -166,8 +168,7 @@ pub(super) fn compare(
     let title = format!("{name} along {} compared with `{source}`", axis.name());
     let mut comparison = Comparison { title, lines, remarks, verdict: Verdict::default(), panels };
     if let Some((scar, _)) = &scar {
-        let error =
-            |own: &Estimate, what: &str| (own.expanded / NORMAL / own.value, what.to_owned());
+        let error = |own: &Estimate, what: &str| (own.normal() / own.value, what.to_owned());
         let depth = scar.depth.iter().map(|own| error(own, "measured depth"));
         comparison.state(depth.chain([error(&scar.section, "measured section")]));
     }
@@ -219,27 +220,6 @@ impl<'a> Section<'a> {
         Ok(Self { places, worn, scar: [low, high] })
     }
 
-    /// As a shape that grows as the run has it: its section with the volume of a line of contact, with the section of a track, and else with
-    /// the root of volume and depth, as lengths of a scar grow with its widths.
-    fn shape(&self, results: &Results, body: usize) -> Result<Shape> {
-        let name = &results.bodies[body];
-        let column = |column: &str| results.history.column(&of_body(column, name));
-        let depths = column(BODY_DEPTH)?;
-        let line = results.case.as_ref().is_some_and(|case| case.frame.line);
-        let sections = match (column(WORN_SECTION), column(WORN_VOLUME)) {
-            (Ok(sections), _) if largest(sections) > 0.0 => sections.to_vec(),
-            (_, Ok(volumes)) if line => volumes.to_vec(),
-            (_, Ok(volumes)) => {
-                volumes.iter().zip(depths).map(|(volume, depth)| (volume * depth).sqrt()).collect()
-            }
-            (_, Err(error)) => return Err(error),
-        };
-        let deepening = Shape::deepening(&sections, depths);
-        Shape::new(self.places.to_vec(), self.worn.to_vec(), deepening).with_context(|| {
-            format!("the run has no section of `{name}` that a profile can be held against")
-        })
-    }
-
     /// The scar and a share of its width on either side.
     fn zone(&self, share: f64) -> [f64; 2] {
         let [low, high] = self.scar;
@@ -256,6 +236,13 @@ impl<'a> Section<'a> {
         let share = (place - self.places[from]) / (self.places[to] - self.places[from]);
         self.worn[from] + share * (self.worn[to] - self.worn[from])
     }
+}
+
+/// What a profile of a run has worn off a body (m) at its places (m).
+fn points(profile: &Profile, body: &str) -> Result<Vec<[f64; 2]>> {
+    let places = profile.table.column("coordinate_m")?;
+    let worn = profile.table.column(&format!("wear_{body}_m"))?;
+    Ok(places.iter().zip(worn).map(|(place, worn)| [*place, *worn]).collect())
 }
 
 /// How a profile lies on the run.
@@ -294,7 +281,7 @@ fn by_shape((scar, shape): (&Scar, &Shape)) -> Vec<[String; 2]> {
 
 /// A value with its standard uncertainty.
 fn with(own: &Estimate, unit: &str) -> String {
-    format!("{} \u{b1} {}", quantity(own.value, unit), quantity(own.expanded / NORMAL, unit))
+    format!("{} \u{b1} {}", quantity(own.value, unit), quantity(own.normal(), unit))
 }
 
 /// A measured value, as it is shown, next to the computed one.

@@ -63,6 +63,8 @@ pub struct Validated {
     pub outcome: Result<Vec<Compared>, String>,
     /// The coefficient that each test was predicted with, in words.
     pub coefficients: Vec<[String; 2]>,
+    /// What is doubtful about the runs that predict.
+    pub doubts: Vec<String>,
 }
 
 /// Predicts the tests of a set.

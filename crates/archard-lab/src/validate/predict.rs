@@ -4,6 +4,8 @@ use std::path::Path;
 
 use super::{Compared, Set, Validated};
 use crate::computed::{Setting, Shapes};
+use crate::effects::factor;
+use crate::estimate::MANY;
 use crate::kept;
 use crate::measurement::Measurement;
 use crate::runs::{Changes, Runner};
@@ -16,9 +18,6 @@ use archard_case::output::Store;
 use archard_case::{Case, CaseFile};
 use archard_surface::scar::{Scar, Shape, depth_and_width};
 
-/// Half of a 95 % interval of a normal distribution, in its standard deviations.
-const NORMAL: f64 = 1.96;
-
 /// A set about to be predicted.
 pub(super) struct Prediction<'a> {
     set: &'a Set,
@@ -27,9 +26,9 @@ pub(super) struct Prediction<'a> {
     following: &'a mut dyn Following,
     file: CaseFile,
     case: Case,
-    /// The bytes of the table and its name.
-    text: (String, Vec<u8>),
     table: Table,
+    /// What is doubtful about the runs.
+    doubts: Vec<String>,
 }
 
 /// Coefficients for a test: what is put into the case, half of the 95 % interval of their logarithm, and what they are in words.
@@ -57,55 +56,56 @@ impl<'a> Prediction<'a> {
         let path = set.dir.join(&set.tests);
         let bytes = files::read(&path, Contents::Text)
             .map_err(|error| unread(&path, format!("cannot read it: {error}")))?;
-        let name = path.display().to_string();
-        let table = Table::read(&name, &bytes)?;
-        Ok(Self { set, dir, store, following, file, case, text: (name, bytes), table })
+        let table = Table::read(&path.display().to_string(), &bytes)?;
+        Ok(Self { set, dir, store, following, file, case, table, doubts: vec![] })
     }
 
     /// All tests with their predictions.
     pub fn validated(mut self) -> Result<Validated, Error> {
-        let mut names: Vec<String> =
-            self.table.texts("test").unwrap_or_default().into_iter().map(str::to_owned).collect();
-        names.dedup();
+        let mut names: Vec<String> = vec![];
+        for name in self.table.texts("test").unwrap_or_default() {
+            if !names.iter().any(|known| known == name) {
+                names.push(name.to_owned());
+            }
+        }
+        if names.is_empty() {
+            let why = "a column `test` is needed, which names each test";
+            return Err(Error::Mismatch(format!("{}: {why}", self.table.source())));
+        }
         let (mut all, mut coefficients) = (vec![], vec![]);
-        let end =
-            |outcome, coefficients| Ok(Validated { set: self.set.clone(), outcome, coefficients });
+        let rejected = |why, coefficients| {
+            let set = self.set.clone();
+            Ok(Validated { set, outcome: Err(why), coefficients, doubts: vec![] })
+        };
         if self.set.coefficient.is_none() {
             let whole = self.fitted(&self.table.clone())?;
             if let Some(why) = whole.rejected() {
-                return end(Err(why), coefficients);
+                return rejected(why, coefficients);
             }
             if names.len() < 3 {
                 let why = format!(
                     "{} tests: each is predicted by the others, and their scatter takes two at least; or give `coefficient` in `set.toml`",
                     names.len()
                 );
-                return end(Err(why), coefficients);
+                return rejected(why, coefficients);
             }
         }
         for name in &names {
             let coefficient = match self.coefficient(name)? {
                 Ok(coefficient) => coefficient,
-                Err(why) => return end(Err(format!("without `{name}`: {why}")), coefficients),
+                Err(why) => return rejected(format!("without `{name}`: {why}"), coefficients),
             };
             all.extend(self.compared(name, &coefficient)?);
             coefficients.push([name.clone(), coefficient.words]);
         }
-        Ok(Validated { set: self.set.clone(), outcome: Ok(all), coefficients })
+        let set = self.set.clone();
+        Ok(Validated { set, outcome: Ok(all), coefficients, doubts: self.doubts })
     }
 
     /// The table with the rows of a test, or without them.
-    fn part(&self, name: &str, with: bool) -> Result<Table, Error> {
+    fn part(&self, name: &str, with: bool) -> Table {
         let tests = self.table.texts("test").unwrap_or_default();
-        let own = tests.iter().zip(self.table.lines()).filter(|(test, _)| (**test == name) != with);
-        let left: Vec<u64> = own.map(|(_, line)| line).collect();
-        let text = String::from_utf8_lossy(&self.text.1).into_owned();
-        // Lines stay where they are, so that messages point at them.
-        let line = |(at, line): (usize, &str)| {
-            if left.contains(&(at as u64 + 1)) { String::new() } else { line.to_owned() }
-        };
-        let text: Vec<String> = text.lines().enumerate().map(line).collect();
-        Ok(Table::read(&self.text.0, text.join("\n").as_bytes())?)
+        self.table.only(|row| (tests[row] == name) == with)
     }
 
     /// A fit to some of the tests.
@@ -128,12 +128,11 @@ impl<'a> Prediction<'a> {
     /// The coefficient for a test, or why there is none.
     fn coefficient(&mut self, name: &str) -> Result<Result<Coefficient, String>, Error> {
         if let Some(given) = &self.set.coefficient {
-            let half = NORMAL * given.uncertainty;
+            let half = factor(MANY) * given.uncertainty;
             let words = format!("that of the case: {}", given.source);
             return Ok(Ok(Coefficient { settings: vec![], half, words }));
         }
-        let others = self.part(name, false)?;
-        let found = self.fitted(&others)?;
+        let found = self.fitted(&self.part(name, false))?;
         if let Some(why) = found.rejected() {
             return Ok(Err(why));
         }
@@ -156,7 +155,7 @@ impl<'a> Prediction<'a> {
 
     /// What was measured of a test next to its prediction.
     fn compared(&mut self, name: &str, coefficient: &Coefficient) -> Result<Vec<Compared>, Error> {
-        let own = self.part(name, true)?;
+        let own = self.part(name, true);
         let files = Files { folder: &self.set.dir, columns: &[] };
         let settings = &coefficient.settings;
         let (measured, fine) = {
@@ -226,6 +225,9 @@ impl<'a> Prediction<'a> {
                 runner.run(&changes, if coarse_elements { "coarse" } else { "prediction" })
             };
             let (fine, coarse) = (run(false)?, run(true)?);
+            let known = |doubt: &&String| !self.doubts.contains(doubt);
+            let doubts: Vec<String> = fine.doubts.iter().filter(known).cloned().collect();
+            self.doubts.extend(doubts);
             for reading in &test.readings {
                 let quantity = &measured.quantities[reading.quantity];
                 let [own, other] =
@@ -238,7 +240,7 @@ impl<'a> Prediction<'a> {
                     predicted: own.log.exp(),
                     at_own_section: None,
                     halves: [
-                        NORMAL * reading.uncertainty.unwrap_or(0.0),
+                        factor(MANY) * reading.uncertainty.unwrap_or(0.0),
                         own.slope * coefficient.half,
                         (own.log - other.log).abs(),
                     ],

@@ -30,6 +30,7 @@ impl Validated {
             "licence": self.set.licence,
             "read": self.set.read,
             "coefficients": self.coefficients,
+            "doubts": self.doubts,
             "rejected": self.outcome.as_ref().err(),
             "values": all.iter().map(value).collect::<Vec<_>>(),
             "inside": self.held(),
@@ -49,20 +50,17 @@ impl fmt::Display for Validated {
             writeln!(f, "  k for {test:<9} {words}")?;
         }
         for own in all {
-            let (factor, unit) = own.unit;
-            let number = |value: f64| four(value * factor);
-            let [low, high] = own.interval().map(number);
+            let Shown { measured, half, predicted, interval, error } = Shown::of(own);
             writeln!(
                 f,
-                "  {:<15} {}: measured {} (+- {:.1} %), predicted {} ({low} .. {high}) {unit}: {:+.1} %, {}",
+                "  {:<15} {}: measured {measured} (+- {half}), predicted {predicted} ({interval}): {error}, {}",
                 own.test,
                 own.quantity,
-                number(own.measured),
-                100.0 * own.halves[0],
-                number(own.predicted),
-                100.0 * own.error(),
                 if own.holds() { "inside" } else { "outside" }
             )?;
+        }
+        for doubt in &self.doubts {
+            writeln!(f, "  {doubt}")?;
         }
         let [held, count] = self.held();
         writeln!(f, "  inside          {held} of {count}")
@@ -115,28 +113,51 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
             "| test | | measured | predicted | 95 % interval | error | at its own section | |\n|---|---|---|---|---|---|---|---|\n",
         );
         for own in values {
-            let (factor, unit) = own.unit;
-            let number = |value: f64| four(value * factor);
-            let [low, high] = own.interval().map(number);
+            let Shown { measured, half, predicted, interval, error } = Shown::of(own);
+            let at_own = |value: f64| percent(value / own.measured - 1.0);
             writeln!(
                 text,
-                "| {} | {} | {} {unit} ± {:.1} % | {} | {low} .. {high} | {:+.1} % | {} | {} |",
+                "| {} | {} | {measured} ± {half} | {predicted} | {interval} | {error} | {} | {} |",
                 own.test,
                 own.quantity,
-                number(own.measured),
-                100.0 * own.halves[0],
-                number(own.predicted),
-                100.0 * own.error(),
-                own.at_own_section.map_or(String::new(), |value| format!(
-                    "{:+.1} %",
-                    100.0 * (value / own.measured - 1.0)
-                )),
+                own.at_own_section.map(at_own).unwrap_or_default(),
                 if own.holds() { "inside" } else { "**outside**" }
             )?;
+        }
+        for doubt in &own.doubts {
+            writeln!(text, "\nOf the runs: {}", sentence(doubt))?;
         }
         writeln!(text)?;
     }
     Ok(())
+}
+
+/// A value and its prediction, in words.
+struct Shown {
+    measured: String,
+    half: String,
+    predicted: String,
+    interval: String,
+    error: String,
+}
+
+impl Shown {
+    fn of(own: &Compared) -> Self {
+        let (factor, unit) = own.unit;
+        let number = |value: f64| four(value * factor);
+        let [low, high] = own.interval().map(number);
+        Self {
+            measured: format!("{} {unit}", number(own.measured)),
+            half: format!("{:.1} %", 100.0 * own.halves[0]),
+            predicted: format!("{} {unit}", number(own.predicted)),
+            interval: format!("{low} .. {high}"),
+            error: percent(own.error()),
+        }
+    }
+}
+
+fn percent(share: f64) -> String {
+    format!("{:+.1} %", 100.0 * share)
 }
 
 /// A text with its full stop.

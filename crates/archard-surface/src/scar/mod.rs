@@ -22,7 +22,7 @@ mod worn;
 #[cfg(test)]
 mod tests;
 
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use blocks::Blocks;
 use model::Model;
@@ -36,12 +36,12 @@ pub use shape::Shape;
 const FREEDOM: f64 = 4.0;
 /// Fewest readings: five numbers and four variances are found, each by two at least.
 const FEWEST: usize = 18;
-/// Most of the section that may not have been measured.
+/// Most of the section that may not have been measured: with a misfit of 5 % the rest is known to a hundredth, then.
 const UNSEEN: f64 = 0.2;
 /// Uncertainty by what lies next to the scar alone, over that by all, beyond which the shape of the model is the level.
 const LEANING: f64 = 3.0;
-/// Correlation of growth and height beyond which one stands for the other: nine tenths of the variance are common at 0.95, four fifths at 0.9.
-const ALIKE: f64 = 0.9;
+/// Correlation of growth and height beyond which one stands for the other: four fifths of their variance are common then.
+const COMMON: f64 = 0.9;
 /// Growths of the section that a model is good for: between its fifth and five times.
 const GROWN: [f64; 2] = [0.2, 5.0];
 
@@ -54,6 +54,13 @@ pub struct Estimate {
     pub standard: f64,
     /// Half of its 95 % interval, by Student's t.
     pub expanded: f64,
+}
+
+impl Estimate {
+    /// The standard uncertainty whose normal distribution has the same 95 % interval: what few degrees of freedom leave uncertain is in it.
+    pub fn normal(&self) -> f64 {
+        self.expanded / Normal::standard().inverse_cdf(0.975)
+    }
 }
 
 /// A scar on a profile.
@@ -69,7 +76,7 @@ pub struct Scar {
     pub grown: Estimate,
     /// Worn section (m^2) by the readings.
     pub section: Estimate,
-    /// The part of it (m^2) that lies beyond the profile and is that of the model.
+    /// The part of it (m^2) that was not measured and is that of the model.
     pub unseen: f64,
     /// Depth (m) of the parabola through the middle half of the scar; `None` where too little of it was measured.
     pub depth: Option<Estimate>,
@@ -77,7 +84,7 @@ pub struct Scar {
     pub width: Option<Estimate>,
     /// From where to where the computed scar reaches (m), on the profile.
     pub extent: [f64; 2],
-    /// Standard deviation (m) of white noise of a block of readings, and of texture.
+    /// Standard deviation (m) of white noise of a block of readings.
     pub noise: f64,
     /// Standard deviation of texture (m).
     pub texture: f64,
@@ -87,7 +94,7 @@ pub struct Scar {
     pub length: f64,
     /// Correlation lengths next to the scar, less one: the degrees of freedom of section, depth and width.
     pub freedom: f64,
-    /// Readings in all, and how many of them are spikes.
+    /// Readings in all.
     pub readings: usize,
     /// Readings that are spikes.
     pub spikes: usize,
@@ -118,7 +125,7 @@ impl Scar {
         let deviation = |i: usize| gls.uncertain[(i, i)].sqrt();
         let correlated = scatter.correlated(blocks.step());
         if settled.hidden {
-            let (texture, deepest) = (scatter.texture, shape.deepest());
+            let (texture, deepest) = (scatter.texture, shape.deepest(1.0));
             return Err(NoScar::Hidden { texture, deepest });
         }
         if unseen > UNSEEN * section {
@@ -126,7 +133,7 @@ impl Scar {
         }
         let correlation = gls.uncertain[(0, 2)] / deviation(0) / deviation(2);
         let leaning = worn.leaning((of_section, through));
-        if leaning.is_none_or(|own| own > LEANING) || correlation.abs() > ALIKE {
+        if leaning.is_none_or(|own| own > LEANING) || correlation.abs() > COMMON {
             return Err(NoScar::Unlevelled { length: correlated });
         }
         if !(GROWN[0]..=GROWN[1]).contains(grown) {
@@ -143,6 +150,10 @@ impl Scar {
                 .map_or(f64::INFINITY, |own| own.inverse_cdf(0.975));
             Estimate { value, standard, expanded: factor * standard }
         };
+        // Of blocks of one reading, those without weight are spikes, too.
+        let single = blocks.len() == blocks.readings;
+        let weights = settled.weights.iter().zip(&settled.debris);
+        let poor = weights.filter(|own| single && *own.0 < worn::POOR && !own.1).count();
         let depth = worn.depth();
         let width = depth.as_ref().and_then(|(found, weights)| worn.width((found.0, weights)));
         let middle = blocks.places.iter().sum::<f64>() / blocks.len() as f64;
@@ -163,7 +174,7 @@ impl Scar {
             length: correlated,
             freedom,
             readings: blocks.readings,
-            spikes: blocks.spikes,
+            spikes: blocks.spikes + poor,
             debris,
         })
     }

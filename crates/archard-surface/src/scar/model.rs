@@ -169,18 +169,19 @@ impl<'a> Model<'a> {
         (vec![vec![1.0; self.blocks.len()], self.along.clone(), growth], heights)
     }
 
-    /// A step (m) of places over which the model hardly bends, and blocks are seen.
-    pub fn near(&self) -> f64 {
-        (1e-3 * self.shape.width()).max(0.2 * self.blocks.step())
+    /// A step (m) of places over which a section hardly bends, and that is seen between blocks.
+    pub fn near(&self, grown: f64) -> f64 {
+        (1e-3 * self.shape.width(grown)).max(0.2 * self.blocks.step())
     }
 
-    /// How heights change with the place, over a step (m).
-    pub fn by_place(&self, (shift, grown): (f64, f64), step: f64) -> Vec<f64> {
+    /// How heights change with the place.
+    pub fn by_place(&self, shift: f64, grown: f64) -> Vec<f64> {
+        let step = self.near(grown);
         let [low, high] = [-step, step].map(|step| self.heights(shift + step, grown));
         low.iter().zip(&high).map(|(low, high)| (high - low) / (2.0 * step)).collect()
     }
 
-    /// The covariance of readings with these weights, where so much is worn off (m); noise is no less than the rounding.
+    /// The covariance of readings with these weights, where so much is worn off (m).
     pub fn covariance(
         &self,
         scatter: Scatter,

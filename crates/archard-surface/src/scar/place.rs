@@ -27,9 +27,8 @@ pub(super) fn roughly(model: &Model<'_>, noise: f64) -> Option<(f64, f64)> {
     let ends = [blocks.places[0], blocks.places[blocks.len() - 1]];
     let mut best: Option<(f64, f64, f64)> = None;
     for first in TRIED.map(|power| FACTOR.powi(power)) {
-        let [low, high] = model.shape.extent(first);
-        let width = high - low;
-        let scale = (SCALE * model.shape.deepest() * first).max(noise);
+        let width = model.shape.width(first);
+        let scale = (SCALE * model.shape.deepest(first)).max(noise);
         let reach = 0.5 * (blocks.span() + width);
         let middle = 0.5 * (ends[0] + ends[1]);
         let step = (APART * width).max(blocks.step());

@@ -11,6 +11,7 @@ use super::model::{Gls, LINEAR, Model, Scatter};
 use super::place::{self, GROWN};
 use super::shape::LEAST;
 use crate::outliers::{BY_MEDIAN, median};
+
 /// The misfit of Archard's law to measured scars, as a share of their depth: their closed forms met four of them within 1 to 6 %. The
 /// logarithm of the misfit is normal about that of this, with a deviation of one.
 const MISFIT: f64 = 0.05;
@@ -21,10 +22,13 @@ const LEAST_MISFIT: f64 = 1e-3;
 const LONGEST: f64 = 1.0 / 6.0;
 /// Texture, over the depth, beyond which no scar stands out: ten deviations are never reached by chance.
 const MOST_TEXTURE: f64 = 0.1;
-/// Rounds of variances and weights: from the fourth on places change by less than a tenth of their uncertainty.
-const ROUNDS: usize = 4;
-/// Steps of the search for variances: a simplex of five numbers moves all of its corners in six.
+/// Rounds of variances and weights, at most; they end where the place changes by less than a tenth of its uncertainty.
+const ROUNDS: usize = 12;
+const STAYS: f64 = 0.1;
+/// Steps of the search for variances: twenty moves of each corner of the simplex. A choice of cost.
 const STEPS: u64 = 120;
+/// A texture this share of the most that it may be stands at that bound: the simplex ends so near to it.
+const AT_BOUND: f64 = 0.95;
 /// Differences of the logarithm of a likelihood below this are none: one half is a standard deviation.
 const STILL: f64 = 0.01;
 /// The weight of a reading that is debris.
@@ -77,7 +81,7 @@ impl Bounds {
 impl Likelihood<'_> {
     /// The place that numbers stand for.
     fn shift(&self, numbers: &[f64]) -> f64 {
-        self.shift + numbers[VARIANCES] * self.model.shape.width()
+        self.shift + numbers[VARIANCES] * self.model.shape.width(self.grown)
     }
 
     /// The fit with these numbers.
@@ -116,47 +120,55 @@ impl Settled {
     /// Of a model; `None` where the readings ask for no scar of its kind anywhere.
     pub fn of(model: &Model<'_>) -> Option<Self> {
         let blocks = model.blocks;
-        let floor = blocks.rounding.max(LEAST * model.shape.deepest());
-        let noise = white(&blocks.heights).max(floor);
+        let noise = white(&blocks.heights).max(LEAST * model.shape.deepest(1.0));
         let (mut shift, mut grown) = place::roughly(model, noise)?;
-        let [low, high] = model.shape.extent(grown);
-        let (width, deepest) = (high - low, model.shape.deepest_at(grown));
+        let (width, deepest) = (model.shape.width(grown), model.shape.deepest(grown));
+        let floor = blocks.rounding.max(LEAST * deepest);
         let most_texture = MOST_TEXTURE * deepest;
         let shortest = 1.5 * blocks.step();
         let longest = (LONGEST * width).max(2.0 * shortest);
+        // Heights in steps may be rounded by more than what is sought.
         let bounds = Bounds {
             low: [floor, floor, LEAST_MISFIT, shortest].map(f64::ln),
-            high: [deepest, most_texture, 1.0, longest].map(f64::ln),
+            high: [deepest.max(floor), most_texture.max(floor), 1.0, longest].map(f64::ln),
         };
         let mut logarithms = bounds.within(&[noise, noise, MISFIT, 0.05 * width].map(f64::ln));
         let mut weights = vec![1.0; blocks.len()];
         let mut debris = vec![false; blocks.len()];
-        let mut last = None;
-        for round in 0..ROUNDS {
+        for round in 1..=ROUNDS {
             let likelihood = Likelihood { model, bounds: &bounds, weights: &weights, shift, grown };
-            let near = 0.02 / (1 + round) as f64;
-            let found = likelihood.greatest(&logarithms, near)?;
+            let found = likelihood.greatest(&logarithms, 0.02 / round as f64)?;
             logarithms = bounds.within(&found);
-            shift = likelihood.shift(&found);
+            let before = std::mem::replace(&mut shift, likelihood.shift(&found));
             let gls = likelihood.fit(&found)?;
             grown = gls.numbers[LINEAR - 1].clamp(GROWN[0], GROWN[1]);
             let scatter = Scatter::of(logarithms);
             weights = expected(&gls, scatter.noise, &weights);
             settle_debris(&mut debris, (&gls.residuals, floor), &model.worn(shift, grown));
             (weights.iter_mut().zip(&debris)).filter(|own| *own.1).for_each(|own| *own.0 = NONE);
-            last = Some(scatter);
+            let settled = Self::at((model, scatter), (shift, grown), (&weights, &debris))?;
+            if (shift - before).abs() <= STAYS * settled.gls.uncertain[(3, 3)].sqrt() {
+                let hidden = scatter.texture.max(floor) > AT_BOUND * most_texture;
+                return Some(Self { hidden, ..settled });
+            }
         }
-        let scatter = last?;
-        let (columns, heights) = model.linear(shift, grown);
-        let worn = model.worn(shift, grown);
-        let settled = Gls::of(model.covariance(scatter, &weights, &worn)?, &columns, &heights)?;
-        let level = [settled.numbers[0], settled.numbers[1]];
-        let mut columns = columns;
-        columns.push(model.by_place((shift, grown), model.near()));
-        let gls = Gls::of(settled.covariance, &columns, &heights)?;
-        let hidden = scatter.texture > 0.95 * most_texture;
-        let residuals = settled.residuals;
-        Some(Self { shift, grown, scatter, weights, debris, level, residuals, gls, hidden })
+        None
+    }
+
+    /// The level, and the covariance of all four numbers, at a place and a growth.
+    fn at(
+        (model, scatter): (&Model<'_>, Scatter),
+        (shift, grown): (f64, f64),
+        (weights, debris): (&[f64], &[bool]),
+    ) -> Option<Self> {
+        let (mut columns, heights) = model.linear(shift, grown);
+        let covariance = model.covariance(scatter, weights, &model.worn(shift, grown))?;
+        let Gls { covariance, numbers, residuals, .. } = Gls::of(covariance, &columns, &heights)?;
+        columns.push(model.by_place(shift, grown));
+        let gls = Gls::of(covariance, &columns, &heights)?;
+        let (weights, debris) = (weights.to_vec(), debris.to_vec());
+        let level = [numbers[0], numbers[1]];
+        Some(Self { shift, grown, scatter, weights, debris, level, residuals, gls, hidden: false })
     }
 }
 

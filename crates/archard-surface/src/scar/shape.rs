@@ -1,7 +1,6 @@
 //! The worn section that a model computes, and how it grows.
 
 use super::worn::deepest;
-use crate::outliers::median;
 
 /// Depths below this share of the greatest are no wear: a profilometer does not see them, and a computed section ends there. Readings
 /// are not known better against it.
@@ -48,20 +47,19 @@ impl Shape {
         })
     }
 
-    /// The exponent at which depths grow, of greatest depths at rising sections: that between half of the last section and the last.
-    /// One where too little is known.
-    pub fn deepening(sections: &[f64], depths: &[f64]) -> f64 {
-        let Some((last, deepest)) = sections.last().zip(depths.last()).filter(|own| *own.0 > 0.0)
-        else {
-            return 1.0;
-        };
-        let exponents = sections
-            .iter()
-            .zip(depths)
-            .filter(|(own, depth)| **depth > 0.0 && (0.4..0.8).contains(&(*own / last)));
-        let mut all: Vec<f64> =
-            exponents.map(|(own, depth)| (deepest / depth).ln() / (last / own).ln()).collect();
-        median(&mut all).unwrap_or(1.0).clamp(0.0, 1.0)
+    /// The last of the steps of a run, each depths (m) at rising places (m), and how depths grew from the step that had worn about half of it.
+    /// `None` if nothing is worn.
+    pub fn of(steps: &[Vec<[f64; 2]>]) -> Option<Self> {
+        let last = steps.last()?;
+        let [places, worn] = [0, 1].map(|i| last.iter().map(|own| own[i]).collect());
+        let grown = steps.iter().filter_map(|step| {
+            let trapezium =
+                |ends: &[[f64; 2]]| 0.5 * (ends[1][0] - ends[0][0]) * (ends[0][1] + ends[1][1]);
+            let section: f64 = step.windows(2).map(trapezium).sum();
+            let deepest = step.iter().map(|own| own[1]).fold(0.0, f64::max);
+            (section > 0.0 && deepest > 0.0).then_some([section, deepest])
+        });
+        Self::new(places, worn, deepening(&grown.collect::<Vec<_>>()))
     }
 
     /// The exponent by which depths grow with the section; widths grow by the rest to one.
@@ -125,19 +123,15 @@ impl Shape {
         (-FINE..=2 * FINE).map(|i| low + (high - low) * f64::from(i) / f64::from(FINE)).collect()
     }
 
-    /// Its width (m).
-    pub fn width(&self) -> f64 {
-        self.extent[1] - self.extent[0]
-    }
-
-    /// Its greatest depth (m).
-    pub fn deepest(&self) -> f64 {
-        self.worn.iter().copied().fold(0.0, f64::max)
+    /// Its width (m) where the section has grown by a factor.
+    pub fn width(&self, grown: f64) -> f64 {
+        let [low, high] = self.extent(grown);
+        high - low
     }
 
     /// Its greatest depth (m) where the section has grown by a factor.
-    pub fn deepest_at(&self, grown: f64) -> f64 {
-        self.factors(grown)[1] * self.deepest()
+    pub fn deepest(&self, grown: f64) -> f64 {
+        self.factors(grown)[1] * self.worn.iter().copied().fold(0.0, f64::max)
     }
 
     /// Its section (m^2), by the trapezoidal rule, where it has grown by a factor.
@@ -157,11 +151,16 @@ impl Shape {
         };
         places.windows(2).map(piece).sum()
     }
+}
 
-    /// Its depths and places, as a profile that was measured without errors.
-    pub fn points(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
-        self.places.iter().zip(&self.worn).map(|(place, worn)| [*place, *worn])
-    }
+/// The exponent by which the greatest depth grows with the section, from the one next to half of the last on, of sections and depths; one
+/// where there is no other.
+fn deepening(grown: &[[f64; 2]]) -> f64 {
+    let Some([last, deepest]) = grown.last() else { return 1.0 };
+    let from_half = |own: &&[f64; 2]| (own[0] / last - 0.5).abs();
+    let earlier = grown.iter().filter(|own| own[0] < *last);
+    let half = earlier.min_by(|one, other| from_half(one).total_cmp(&from_half(other)));
+    half.map_or(1.0, |[section, depth]| (deepest / depth).ln() / (last / section).ln())
 }
 
 #[cfg(test)]
@@ -175,13 +174,12 @@ mod tests {
         let depth = |x: f64, c: f64| ((0.25 * c * c - x * x) / (2.0 * radius)).max(0.0);
         let c = 2.6e-3;
         let places: Vec<f64> = (-200..=200).map(|i| 1e-5 * f64::from(i)).collect();
-        let worn = places.iter().map(|x| depth(*x, c)).collect();
-        let sections: Vec<f64> = (1..=20).map(|i| f64::from(i) * 4e-9).collect();
-        let depths: Vec<f64> =
-            sections.iter().map(|own| depth(0.0, (12.0 * radius * own).cbrt())).collect();
-        let deepening = Shape::deepening(&sections, &depths);
-        assert!((deepening - 2.0 / 3.0).abs() < 1e-12, "{deepening}");
-        let shape = Shape::new(places, worn, deepening).unwrap();
+        let step = |share: f64| -> Vec<[f64; 2]> {
+            let chord = c * share.cbrt();
+            places.iter().map(|x| [*x, depth(*x, chord)]).collect()
+        };
+        let shape = Shape::of(&[0.0, 0.2, 0.45, 0.8, 1.0].map(step)).unwrap();
+        assert!((shape.exponent() - 2.0 / 3.0).abs() < 1e-3, "{shape:?}");
         let section = c.powi(3) / (12.0 * radius);
         assert!((shape.section(1.0) / section - 1.0).abs() < 1e-4);
         assert!((shape.section(1.7) / section - 1.7).abs() < 2e-4);

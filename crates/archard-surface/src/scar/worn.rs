@@ -15,7 +15,7 @@ const BOTTOM: f64 = 0.5;
 /// The width is that at this share of the depth.
 pub(super) const EDGE: f64 = 0.05;
 /// The weight of a reading below which it says nothing: of four deviations and more.
-const POOR: f64 = 0.3;
+pub(super) const POOR: f64 = 0.3;
 /// Scatter, over the standard deviation of rounding, from which on rounding spreads as noise does: half a step of noise, and the rounding
 /// itself.
 const DITHERED: f64 = 2.0;
@@ -33,7 +33,7 @@ pub(super) struct Worn<'a> {
     pub depths: Vec<f64>,
     /// How heights of the unworn body change with the place.
     slopes: Vec<f64>,
-    /// The covariance of readings without their misfit, row by row, and of the misfit.
+    /// The covariance of readings without their misfit, and of the misfit.
     own: Mat<f64>,
     misfit: Mat<f64>,
 }
@@ -59,7 +59,7 @@ impl<'a> Worn<'a> {
             let smooth = model.blocks.heights[at] - noise(at) * solved[at];
             unworn - if weights[at] > POOR { model.blocks.heights[at] } else { smooth }
         };
-        let step = model.near();
+        let step = model.near(*grown);
         let slope = |place: &f64| {
             ((model.nominal)(place - shift + step) - (model.nominal)(place - shift - step))
                 / (2.0 * step)
@@ -108,7 +108,7 @@ impl<'a> Worn<'a> {
     /// From where to where the section is summed (m).
     fn zone(&self) -> [f64; 2] {
         let [low, high] = self.model.shape.extent(self.settled.grown);
-        let half = high.max(-low) + BEYOND * self.model.shape.width();
+        let half = high.max(-low) + BEYOND * (high - low);
         [self.settled.shift - half, self.settled.shift + half]
     }
 

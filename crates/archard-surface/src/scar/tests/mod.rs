@@ -184,6 +184,32 @@ fn rounded_heights_are_as_uncertain_as_their_step() {
     }
 }
 
+/// Heights in steps as large as the scar is deep, and larger, show none; in those of half of it the section lies in its interval.
+#[test]
+fn heights_coarser_than_the_scar_are_refused() {
+    for step in [20e-6, 60e-6, 100e-6, 1e-3] {
+        let mut own = made(Kind::Plain, 2);
+        own.readings.iter_mut().for_each(|reading| reading[1] = step * (reading[1] / step).round());
+        match found(&own) {
+            Ok(scar) => {
+                let off = (scar.section.value - own.section).abs();
+                assert!(step < 40e-6 && off < scar.section.expanded, "{step}: {scar:?}");
+            }
+            Err(why) => {
+                assert!(matches!(why, NoScar::Hidden { .. } | NoScar::Nothing), "{step}: {why}")
+            }
+        }
+    }
+    // A contact whose width stays, worn a thousandth as deep as it is computed.
+    let places: Vec<f64> = (-100..=100).map(|i| 1e-5 * f64::from(i)).collect();
+    let deep: Vec<f64> = places.iter().map(|x| if x.abs() < 0.5e-3 { 1e-4 } else { 0.0 }).collect();
+    let shape = Shape::new(places.clone(), deep.clone(), 1.0).unwrap();
+    let mut random = fastrand::Rng::with_seed(9);
+    let readings = places.iter().zip(&deep).map(|(x, z)| [*x, -1e-4 * z + 1e-9 * random.f64()]);
+    let refused = Scar::find(&readings.collect::<Vec<_>>(), &|_| 0.0, &shape);
+    assert!(refused.is_err(), "{refused:?}");
+}
+
 /// A shape of a run that has gone a thirtieth or thirty times as far says how far it should have gone.
 #[test]
 fn a_shape_of_another_size_is_refused() {

@@ -1,8 +1,5 @@
 //! Whole profiles and height maps as data of a fit: made up by runs, tilted, shifted and noisy as instruments give them.
 
-#[path = "../../archard-case/tests/framed/mod.rs"]
-mod framed;
-
 use std::error::Error as StdError;
 use std::fmt::Write;
 use std::fs;
@@ -11,22 +8,14 @@ use std::path::Path;
 use archard::simulation::{Observer, Report};
 use archard_case::CaseFile;
 use archard_case::measured::Table;
-use archard_lab::{Error, Files, Fit, Following, Request, fit};
+use archard_lab::{Error, Files, Fit, Request, fit};
+
+use super::made::{Normal, Until, published};
 
 const KEY: &str = "wear.archard.coefficient";
 /// Standard deviation of a height (m), and of log k between tests.
 const NOISE: f64 = 0.05e-6;
 const SCATTER: f64 = 0.15;
-
-/// Numbers of a normal distribution, by Box and Muller.
-struct Normal(fastrand::Rng);
-
-impl Normal {
-    fn draw(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.0.f64()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.0.f64()).cos()
-    }
-}
 
 /// What is worn off a body on its grid, half way and at the end.
 struct Worn {
@@ -72,30 +61,6 @@ impl Worn {
     }
 }
 
-fn published(name: &str, options: &[&str]) -> CaseFile {
-    let path = framed::folder(name);
-    let file = CaseFile::read(&path).unwrap();
-    options.iter().fold(file, |file, option| file.set(*option))
-}
-
-struct Nobody;
-
-impl Observer for Nobody {
-    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        Ok(())
-    }
-}
-
-impl Following for Nobody {
-    fn begins(&mut self, _: usize, _: &str) {}
-
-    fn ended(&mut self, _: usize, _: &str, _: Option<f64>) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-}
-
 fn fitted(dir: &Path, file: &CaseFile, text: &str) -> Result<Fit, Error> {
     fitted_with(dir, file, (text, &[]))
 }
@@ -116,7 +81,7 @@ fn fitted_with(
         files,
         dir,
         store: None,
-        following: &mut Nobody,
+        following: &mut Until(None, vec![]),
     };
     fit(file, &table, request)
 }

@@ -2,32 +2,14 @@
 
 use std::path::Path;
 
-use archard::simulation::{Observer, Report};
-use archard_lab::Following;
+use super::made::Until;
 use archard_lab::validate::{Set, Validated, validate};
-
-struct Nobody;
-
-impl Observer for Nobody {
-    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
-        Ok(())
-    }
-}
-
-impl Following for Nobody {
-    fn begins(&mut self, _: usize, _: &str) {}
-
-    fn ended(&mut self, _: usize, _: &str, _: Option<f64>) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-}
 
 fn validated(name: &str) -> Validated {
     let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation").join(name);
     let runs = tempfile::tempdir().unwrap();
-    let found = validate(&Set::read(&dir).unwrap(), (runs.path(), None), &mut Nobody).unwrap();
+    let found =
+        validate(&Set::read(&dir).unwrap(), (runs.path(), None), &mut Until(None, vec![])).unwrap();
     println!("{found}");
     found
 }
