@@ -42,6 +42,11 @@ uncertainty = 0.1               # standard, relative
 /// Predicts the tests of sets, and writes a page of them if a file is named.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let sets = Set::all(&arguments.folder).map_err(Failure::wrong)?;
+    // Before the runs: they may take long.
+    let wrong = |error: archard_case::output::Error| Failure::wrong(error.to_string());
+    let own = |known: &[u8]| known.starts_with(HEAD.as_bytes());
+    let page = arguments.output.as_ref().map(|page| Place::free_or(page, own)).transpose();
+    let page = page.map_err(wrong)?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
     let mut all: Vec<Validated> = vec![];
     for set in &sets {
@@ -61,22 +66,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             serde_json::json!({ "program": "archard", "version": env!("CARGO_PKG_VERSION"), "sets": sets })
         ))?;
     }
-    match &arguments.output {
-        Some(page) => write(page, &all),
-        None => Ok(()),
-    }
+    let text = format!("{HEAD}\n{}{TAIL}", in_markdown(&all));
+    page.map_or(Ok(()), |page| page.write(text.as_bytes())).map_err(wrong)
 }
 
 /// The folder of the runs of a set.
 fn runs(set: &Set) -> PathBuf {
     let whole = set.dir.canonicalize().unwrap_or_else(|_| set.dir.clone());
     Path::new("results/validate").join(whole.file_name().unwrap_or_default())
-}
-
-/// Writes a page, or one in place of an earlier one.
-fn write(page: &Path, all: &[Validated]) -> Result<(), Failure> {
-    let wrong = |error: archard_case::output::Error| Failure::wrong(error.to_string());
-    let text = format!("{HEAD}\n{}{TAIL}", in_markdown(all));
-    let own = |known: &[u8]| known.starts_with(HEAD.as_bytes());
-    Place::free_or(page, own).map_err(wrong)?.write(text.as_bytes()).map_err(wrong)
 }

@@ -2,9 +2,10 @@
 
 use std::error::Error as StdError;
 
-use super::runs::{built, described, put};
+use super::runs::{built, described, passing, put};
 use super::untold::laws;
 use super::{Error, Following};
+use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, worn_profile};
 use archard_case::output::Store;
 use archard_case::{Case, CaseFile};
@@ -18,8 +19,8 @@ pub(super) struct Shapes<'a, 'f> {
     following: &'a mut (dyn Following + 'f),
     /// Whether runs have half the elements of the case along each axis.
     halved: bool,
-    /// What was put into the case, and what the run with it shows.
-    known: Vec<(Vec<Setting>, Shown)>,
+    /// What was put into the case, how far the run went, and what it shows.
+    known: Vec<(Vec<Setting>, f64, Shown)>,
 }
 
 /// A key with a value (SI) and its unit.
@@ -49,21 +50,21 @@ impl<'a, 'f> Shapes<'a, 'f> {
         }
     }
 
-    /// The section of a body along an axis at the end of a run with some settings, and how it grew there.
+    /// The section of a body along an axis at a share of a run with some settings, and how it grew there.
     pub fn at(
         &mut self,
         (body, axis): (usize, usize),
-        settings: &[Setting],
+        (settings, share): (&[Setting], f64),
     ) -> Result<Shape, Error> {
-        let place = match self.known.iter().position(|own| own.0 == settings) {
+        let place = match self.known.iter().position(|own| own.0 == settings && own.1 == share) {
             Some(place) => place,
             None => {
-                let shown = self.run(settings)?;
-                self.known.push((settings.to_vec(), shown));
+                let shown = self.run(settings, share)?;
+                self.known.push((settings.to_vec(), share, shown));
                 self.known.len() - 1
             }
         };
-        let steps = &self.known[place].1[body][axis];
+        let steps = &self.known[place].2[body][axis];
         let none = || {
             let name = &self.case.bodies[body].name;
             Error::Mismatch(format!(
@@ -75,7 +76,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
         Shape::of(steps).ok_or_else(none)
     }
 
-    fn run(&mut self, settings: &[Setting]) -> Result<Shown, Error> {
+    fn run(&mut self, settings: &[Setting], share: f64) -> Result<Shown, Error> {
         let file = settings.iter().fold(self.file.clone(), put);
         let settings = described(settings);
         let mut case = file
@@ -89,8 +90,9 @@ impl<'a, 'f> Shapes<'a, 'f> {
             case.frame.elements = case.frame.elements.map(|count| count.div_ceil(2));
         }
         let failed = |why: String| Error::Run { settings: settings.clone(), why };
-        let simulation = built(&case, self.store).map_err(|error| failed(error.to_string()))?;
-        let mut recorder = Recorder::default();
+        let mut simulation = built(&case, self.store).map_err(|error| failed(error.to_string()))?;
+        simulation.schedule = passing(&simulation.problem.motion, &simulation.schedule, &[share]);
+        let mut recorder = Recorder { share, shown: Shown::default() };
         match simulation.run(&mut [&mut recorder, self.following.observer()]) {
             Ok(_) => Ok(recorder.shown),
             Err(simulation::Error::Observer(cause)) => Err(Error::Stopped { cause, runs: 0 }),
@@ -99,14 +101,17 @@ impl<'a, 'f> Shapes<'a, 'f> {
     }
 }
 
-/// Keeps worn sections.
-#[derive(Default)]
+/// Keeps worn sections up to a share of the run.
 struct Recorder {
+    share: f64,
     shown: Shown,
 }
 
 impl Observer for Recorder {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if report.state.progress > self.share * report.extent * (1.0 + WRITTEN) {
+            return Ok(());
+        }
         for (body, own) in self.shown.iter_mut().enumerate() {
             for (axis, steps) in own.iter_mut().enumerate() {
                 steps.extend(worn_profile(report, (body, axis)));

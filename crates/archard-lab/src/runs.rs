@@ -205,7 +205,7 @@ pub(super) fn described(settings: &[(String, f64, String)]) -> String {
 }
 
 /// The schedule with steps that end at these shares of its extent, where steps can be put.
-fn passing(motion: &Motion, schedule: &Schedule, shares: &[f64]) -> Schedule {
+pub(super) fn passing(motion: &Motion, schedule: &Schedule, shares: &[f64]) -> Schedule {
     let mut shares: Vec<f64> =
         shares.iter().copied().filter(|share| *share < 1.0 - WRITTEN).collect();
     shares.push(1.0);

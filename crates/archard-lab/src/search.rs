@@ -31,7 +31,7 @@ use archard_case::output::Store;
 use archard_case::{Case, CaseFile, Resolved, Source};
 
 /// The factor by which a coefficient is changed to find a slope by a difference: small, and far above the error of the steps.
-const TRIED: f64 = 1.1;
+pub(super) const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
 const FITTED: [f64; 2] = [1e-7, 1e-3];
 
@@ -271,6 +271,25 @@ struct Search<'a> {
     judged: Option<Vec<Run>>,
 }
 
+/// Refuses readings beyond a run.
+pub(super) fn within(
+    (table, progress): (&Table, &str),
+    end: f64,
+    test: &Test,
+) -> Result<(), Error> {
+    match test.readings.iter().find(|reading| reading.progress > end * (1.0 + 1e-9)) {
+        None => Ok(()),
+        Some(reading) => Err(Error::Reading {
+            table: table.source().to_owned(),
+            line: reading.line,
+            why: format!(
+                "`{progress}` is {} (SI) and the run of the case ends at {end}: let the case go as far as the readings",
+                reading.progress
+            ),
+        }),
+    }
+}
+
 /// The place of a load in maps.
 fn of_load(load: Option<f64>) -> u64 {
     load.unwrap_or(0.0).to_bits()
@@ -317,24 +336,9 @@ impl Search<'_> {
     fn expected(&mut self, place: usize, test: &Test, log_k: f64) -> Result<Vec<Expected>, Error> {
         let far = 1.0 + self.variant.far.unwrap_or(0.0);
         let model = self.model(place, test.load, log_k)?;
-        self.within(model.end(), test)?;
+        within((self.table, self.progress), model.end(), test)?;
         let at = |reading: &super::Reading| model.at(reading.quantity, reading.progress * far);
         Ok(test.readings.iter().map(at).collect())
-    }
-
-    /// Refuses readings beyond the run.
-    fn within(&self, end: f64, test: &Test) -> Result<(), Error> {
-        match test.readings.iter().find(|reading| reading.progress > end * (1.0 + 1e-9)) {
-            None => Ok(()),
-            Some(reading) => Err(Error::Reading {
-                table: self.table.source().to_owned(),
-                line: reading.line,
-                why: format!(
-                    "`{}` is {} (SI) and the run of the case ends at {}: let the case go as far as the readings",
-                    self.progress, reading.progress, end
-                ),
-            }),
-        }
     }
 
     /// The run at a scale of the coefficients.

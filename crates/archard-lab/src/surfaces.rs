@@ -214,7 +214,7 @@ impl<'a> Shape<'a> {
         let mut factor = 1.0;
         for _ in 0..RUNS {
             let settings = shapes.scaled(factor);
-            let shape = shapes.at((body, axis), &settings)?;
+            let shape = shapes.at((body, axis), (&settings, 1.0))?;
             match ProfileScar::find(&readings, &height, &shape) {
                 Ok(scar) => return Ok(Taken::Profile(Box::new(scar), axis)),
                 Err(NoScar::OtherSize { grown }) => factor *= grown,
@@ -255,9 +255,12 @@ impl Measured {
         self.scar.worn()
     }
 
-    /// The body, by its place.
-    pub(super) fn body(&self) -> usize {
-        self.body.0
+    /// The scar of a profile, with its body and axis, where it stands in a line.
+    pub(super) fn profile_in(&self, line: u64) -> Option<((usize, usize), &ProfileScar)> {
+        match &self.scar {
+            Taken::Profile(scar, axis) if self.line == line => Some(((self.body.0, *axis), scar)),
+            _ => None,
+        }
     }
 
     /// As `fit.json` has it: SI.

@@ -9,7 +9,7 @@ use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Reading, Test};
 use super::model::cubic;
 use super::rounds::{BEYOND, ROUNDS};
-use super::{FITTED, Run, Search, Variant, of_load};
+use super::{FITTED, Run, Search, Variant, of_load, within};
 use archard_case::Case;
 
 /// Factor between the coefficients of neighbouring runs. A cubic through four of them is .023 (ln 1.5)^4, 6e-4, times the fourth
@@ -197,7 +197,7 @@ impl Search<'_> {
     /// What runs say of the readings of a test at logarithms of the coefficients.
     fn tangents(&mut self, test: &Test, logs: &[f64]) -> Result<Vec<Tangent>, Error> {
         let lattice = self.lattice(logs, test.load)?;
-        self.within(lattice.runs[0].end, test)?;
+        within((self.table, self.progress), lattice.runs[0].end, test)?;
         let at = |own: &Reading| lattice.at(own.quantity, own.progress);
         Ok(test.readings.iter().map(at).collect())
     }

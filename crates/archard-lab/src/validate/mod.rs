@@ -31,7 +31,8 @@ pub struct Compared {
     pub predicted: f64,
     /// The simulation that wears the measured section, of depths and widths of profiles: whether the shape is right, whatever the coefficient.
     pub at_own_section: Option<f64>,
-    /// Halves of the 95 % intervals of their logarithms, by the data, by the input (the coefficient) and by the numbers.
+    /// Halves of the 95 % intervals of their logarithms, by the data (zero where nothing is stated), by the input (the coefficient; of other
+    /// tests with the error of a reading in it) and by the numbers.
     pub halves: [f64; 3],
 }
 

@@ -8,9 +8,9 @@ use crate::effects::factor;
 use crate::estimate::MANY;
 use crate::kept;
 use crate::measurement::Measurement;
-use crate::runs::{Changes, Runner};
-use crate::search::{Request, fit, load_key, settled};
-use crate::surfaces::Taken;
+use crate::quantity::Kind;
+use crate::runs::{Changes, Run, Runner};
+use crate::search::{Request, TRIED, fit, load_key, settled, within};
 use crate::{Error, Files, Following};
 use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
@@ -157,51 +157,70 @@ impl<'a> Prediction<'a> {
     fn compared(&mut self, name: &str, coefficient: &Coefficient) -> Result<Vec<Compared>, Error> {
         let own = self.part(name, true);
         let files = Files { folder: &self.set.dir, columns: &[] };
-        let settings = &coefficient.settings;
-        let (measured, fine) = {
-            let case = self.case.clone();
-            let mut shapes = self.shapes(false);
-            let measured = Measurement::of(&own, &case, (&[], files), Some(&mut shapes))?;
-            let fine = profiles(&measured).map(|(of, _)| shapes.at(of, settings));
-            let fine = fine.collect::<Result<Vec<Shape>, Error>>()?;
-            (measured, fine)
-        };
-        let mut all = self.numbers((name, &measured), coefficient)?;
-        let mut shapes = self.shapes(true);
-        for ((of, scar), fine) in profiles(&measured).zip(fine) {
-            let coarse = depth_and_width(&shapes.at(of, settings)?);
-            let Some((values, coarse)) = depth_and_width(&fine).zip(coarse) else { continue };
-            let grown = scar.section.value / fine.section(1.0);
-            let own = [
-                ("depth", (1e6, "um"), scar.depth, fine.exponent()),
-                ("width", (1e3, "mm"), scar.width, 1.0 - fine.exponent()),
-            ];
-            for (at, (quantity, unit, data, exponent)) in own.into_iter().enumerate() {
-                all.extend(data.map(|data| Compared {
+        let case = self.case.clone();
+        let measured = Measurement::of(&own, &case, (&[], files), Some(&mut self.shapes(false)))?;
+        let load = load_key(&case, &measured)?;
+        let (mut all, mut profiles) = (vec![], vec![]);
+        for test in measured.targets.iter().flat_map(|target| &target.tests) {
+            let own_load =
+                load.iter().zip(test.load).map(|(key, load)| (key.clone(), load, "N".to_owned()));
+            let settings: Vec<Setting> =
+                coefficient.settings.iter().cloned().chain(own_load).collect();
+            let [fine, coarse, more] = self.runs(&measured, &settings)?;
+            within((&own, measured.progress.0), fine.end, test)?;
+            for reading in &test.readings {
+                let quantity = &measured.quantities[reading.quantity];
+                let at = |run: &Run| run.at(reading.quantity, reading.progress).log;
+                let slope = (at(&more) - at(&fine)) / TRIED.ln();
+                let halves = [
+                    factor(MANY) * reading.uncertainty.unwrap_or(0.0),
+                    slope * coefficient.half,
+                    (at(&fine) - at(&coarse)).abs(),
+                ];
+                let profile = measured.surfaces.iter().find_map(|own| own.profile_in(reading.line));
+                let of_profile = matches!(quantity.kind, Kind::Section | Kind::Middle(_));
+                if let Some(profile) = profile.filter(|_| of_profile) {
+                    let share = (reading.progress / fine.end).min(1.0);
+                    profiles.push((profile, settings.clone(), share, halves[1]));
+                }
+                all.push(Compared {
                     test: name.to_owned(),
-                    quantity: quantity.to_owned(),
-                    unit,
-                    measured: data.value,
-                    predicted: values[at],
-                    at_own_section: Some(values[at] * grown.powf(exponent)),
-                    halves: [
-                        data.expanded / data.value,
-                        exponent * coefficient.half,
-                        (values[at] / coarse[at]).ln().abs(),
-                    ],
-                }));
+                    quantity: quantity.name.clone(),
+                    unit: quantity.kind.shown(),
+                    measured: reading.value,
+                    predicted: at(&fine).exp(),
+                    at_own_section: None,
+                    halves,
+                });
             }
+        }
+        let mut shown: [Vec<Shape>; 2] = [vec![], vec![]];
+        for (halved, shapes) in [false, true].into_iter().zip(&mut shown) {
+            let mut runs = self.shapes(halved);
+            for ((of, _), settings, share, _) in &profiles {
+                shapes.push(runs.at(*of, (settings, *share))?);
+            }
+        }
+        let [fine, coarse] = &shown;
+        for (((_, scar), _, _, half), (fine, coarse)) in
+            profiles.iter().zip(fine.iter().zip(coarse))
+        {
+            all.extend(depth_and_width_of(name, (scar, *half), (fine, coarse)));
         }
         Ok(all)
     }
 
-    /// Readings that are numbers, and sections and volumes of files, next to runs.
-    fn numbers(
-        &mut self,
-        (name, measured): (&str, &Measurement),
-        coefficient: &Coefficient,
-    ) -> Result<Vec<Compared>, Error> {
-        let load = load_key(&self.case, measured)?;
+    /// Runs with some settings: as they are, on half the elements, and with all wear a little larger.
+    fn runs(&mut self, measured: &Measurement, settings: &[Setting]) -> Result<[Run; 3], Error> {
+        // What is not set is what the case has.
+        let mut larger = self.shapes(false).scaled(TRIED);
+        for (key, value, _) in &mut larger {
+            if let Some(own) = settings.iter().find(|own| own.0 == *key) {
+                *value = TRIED * own.1;
+            }
+        }
+        let kept = settings.iter().filter(|own| larger.iter().all(|other| other.0 != own.0));
+        let larger: Vec<Setting> = kept.cloned().chain(larger.clone()).collect();
         let mut runner = Runner {
             file: &self.file,
             quantities: &measured.quantities,
@@ -212,42 +231,21 @@ impl<'a> Prediction<'a> {
             count: 0,
             kept: vec![],
         };
-        let mut all = vec![];
-        let tests = measured.targets.iter().flat_map(|target| &target.tests);
-        for test in tests.filter(|test| test.name == name) {
-            let own_load =
-                load.iter().zip(test.load).map(|(key, load)| (key.clone(), load, "N".to_owned()));
-            let settings: Vec<Setting> =
-                coefficient.settings.iter().cloned().chain(own_load).collect();
-            let mut run = |coarse_elements: bool| {
-                let changes =
-                    Changes { settings: settings.clone(), coarse_elements, ..Changes::default() };
-                runner.run(&changes, if coarse_elements { "coarse" } else { "prediction" })
-            };
-            let (fine, coarse) = (run(false)?, run(true)?);
-            let known = |doubt: &&String| !self.doubts.contains(doubt);
-            let doubts: Vec<String> = fine.doubts.iter().filter(known).cloned().collect();
-            self.doubts.extend(doubts);
-            for reading in &test.readings {
-                let quantity = &measured.quantities[reading.quantity];
-                let [own, other] =
-                    [&fine, &coarse].map(|run| run.at(reading.quantity, reading.progress));
-                all.push(Compared {
-                    test: name.to_owned(),
-                    quantity: quantity.name.clone(),
-                    unit: quantity.kind.shown(),
-                    measured: reading.value,
-                    predicted: own.log.exp(),
-                    at_own_section: None,
-                    halves: [
-                        factor(MANY) * reading.uncertainty.unwrap_or(0.0),
-                        own.slope * coefficient.half,
-                        (own.log - other.log).abs(),
-                    ],
-                });
+        let mut run = |settings: &[Setting], coarse_elements: bool, name: &str| {
+            let settings = settings.to_vec();
+            runner.run(&Changes { settings, coarse_elements, ..Changes::default() }, name)
+        };
+        let all = [
+            run(settings, false, "prediction")?,
+            run(settings, true, "coarse")?,
+            run(&larger, false, "larger")?,
+        ];
+        kept::clear(self.dir, &runner.kept);
+        for doubt in &all[0].doubts {
+            if !self.doubts.contains(doubt) {
+                self.doubts.push(doubt.clone());
             }
         }
-        kept::clear(self.dir, &runner.kept);
         Ok(all)
     }
 
@@ -256,10 +254,34 @@ impl<'a> Prediction<'a> {
     }
 }
 
-/// Profiles with their body and axis.
-fn profiles(measured: &Measurement) -> impl Iterator<Item = ((usize, usize), &Scar)> {
-    measured.surfaces.iter().filter_map(|own| match &own.scar {
-        Taken::Profile(scar, axis) => Some(((own.body(), *axis), &**scar)),
-        _ => None,
-    })
+/// Depth and width of the scar on a profile next to those of a run, by half of the 95 % interval of the logarithm of its section.
+fn depth_and_width_of(
+    test: &str,
+    (scar, half): (&Scar, f64),
+    (fine, coarse): (&Shape, &Shape),
+) -> Vec<Compared> {
+    let Some((values, coarse)) = depth_and_width(fine).zip(depth_and_width(coarse)) else {
+        return vec![];
+    };
+    let grown = scar.section.value / fine.section(1.0);
+    let own = [
+        ("depth", (1e6, "um"), scar.depth, fine.exponent()),
+        ("width", (1e3, "mm"), scar.width, 1.0 - fine.exponent()),
+    ];
+    let compared = own.into_iter().enumerate().map(|(at, (quantity, unit, data, exponent))| {
+        data.map(|data| Compared {
+            test: test.to_owned(),
+            quantity: quantity.to_owned(),
+            unit,
+            measured: data.value,
+            predicted: values[at],
+            at_own_section: Some(values[at] * grown.powf(exponent)),
+            halves: [
+                data.expanded / data.value,
+                exponent * half,
+                (values[at] / coarse[at]).ln().abs(),
+            ],
+        })
+    });
+    compared.flatten().collect()
 }

@@ -19,7 +19,7 @@ impl Validated {
         let value = |own: &Compared| {
             json!({
                 "test": own.test, "quantity": own.quantity, "measured": own.measured, "predicted": own.predicted,
-                "relative_half_95": { "data": own.halves[0], "input": own.halves[1], "numbers": own.halves[2] },
+                "relative_half_95": { "data": (own.halves[0] > 0.0).then_some(own.halves[0]), "input": own.halves[1], "numbers": own.halves[2] },
                 "interval_95": own.interval(), "error": own.error(), "inside": own.holds(), "at_own_section": own.at_own_section,
             })
         };
@@ -50,10 +50,10 @@ impl fmt::Display for Validated {
             writeln!(f, "  k for {test:<9} {words}")?;
         }
         for own in all {
-            let Shown { measured, half, predicted, interval, error } = Shown::of(own);
+            let Shown { measured, predicted, interval, error } = Shown::of(own);
             writeln!(
                 f,
-                "  {:<15} {}: measured {measured} (+- {half}), predicted {predicted} ({interval}): {error}, {}",
+                "  {:<15} {}: measured {measured}, predicted {predicted} ({interval}): {error}, {}",
                 own.test,
                 own.quantity,
                 if own.holds() { "inside" } else { "outside" }
@@ -113,11 +113,11 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
             "| test | | measured | predicted | 95 % interval | error | at its own section | |\n|---|---|---|---|---|---|---|---|\n",
         );
         for own in values {
-            let Shown { measured, half, predicted, interval, error } = Shown::of(own);
+            let Shown { measured, predicted, interval, error } = Shown::of(own);
             let at_own = |value: f64| percent(value / own.measured - 1.0);
             writeln!(
                 text,
-                "| {} | {} | {measured} ± {half} | {predicted} | {interval} | {error} | {} | {} |",
+                "| {} | {} | {measured} | {predicted} | {interval} | {error} | {} | {} |",
                 own.test,
                 own.quantity,
                 own.at_own_section.map(at_own).unwrap_or_default(),
@@ -135,7 +135,6 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
 /// A value and its prediction, in words.
 struct Shown {
     measured: String,
-    half: String,
     predicted: String,
     interval: String,
     error: String,
@@ -147,8 +146,10 @@ impl Shown {
         let number = |value: f64| four(value * factor);
         let [low, high] = own.interval().map(number);
         Self {
-            measured: format!("{} {unit}", number(own.measured)),
-            half: format!("{:.1} %", 100.0 * own.halves[0]),
+            measured: match own.halves[0] > 0.0 {
+                true => format!("{} {unit} ± {:.1} %", number(own.measured), 100.0 * own.halves[0]),
+                false => format!("{} {unit}", number(own.measured)),
+            },
             predicted: format!("{} {unit}", number(own.predicted)),
             interval: format!("{low} .. {high}"),
             error: percent(own.error()),

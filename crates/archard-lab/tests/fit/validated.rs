@@ -1,12 +1,17 @@
 //! Measured sets: what their profiles tell, and what is predicted of each test by the others.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use super::made::Until;
 use archard_lab::validate::{Set, Validated, validate};
 
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation").join(name)
+}
+
 fn validated(name: &str) -> Validated {
-    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation").join(name);
+    let dir = folder(name);
     let runs = tempfile::tempdir().unwrap();
     let found =
         validate(&Set::read(&dir).unwrap(), (runs.path(), None), &mut Until(None, vec![])).unwrap();
@@ -52,4 +57,41 @@ fn tests_that_do_not_wear_by_the_law_are_rejected() {
     let found = validated("te67");
     let why = found.outcome.unwrap_err();
     assert!(why.contains("the wear goes with the distance to the power"), "{why}");
+}
+
+/// What was measured before the end of the run is predicted there: a ring's scar is 2^(-2/3) as deep at half of the distance, and 2^(-1/3) as
+/// wide. Beyond the end nothing is predicted, without a test nothing is said.
+#[test]
+fn a_test_is_predicted_where_it_ended() {
+    let (dir, runs) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    for name in ["case.toml", "block_1.csv"] {
+        fs::copy(folder("cruzado").join(name), dir.path().join(name)).unwrap();
+    }
+    let set = fs::read_to_string(folder("cruzado").join("set.toml")).unwrap();
+    let given = "[coefficient]\nsource = \"of others\"\nuncertainty = 0.2\n";
+    fs::write(dir.path().join("set.toml"), format!("{set}{given}")).unwrap();
+    let of = |rows: &str| {
+        fs::write(dir.path().join("tests.csv"), rows).unwrap();
+        let set = Set::read(dir.path()).unwrap();
+        validate(&set, (runs.path(), None), &mut Until(None, vec![]))
+    };
+    let rows = "test,distance [m],file\nA,3600,block_1.csv\nB,1800,block_1.csv\nA,1800,\n";
+    let swapped = of(rows).unwrap_err().to_string();
+    assert!(swapped.contains("goes back"), "{swapped}");
+    let found = of("test,distance [m],file\nA,3600,block_1.csv\nB,1800,block_1.csv\n").unwrap();
+    let all = found.outcome.unwrap();
+    let value = |test: &str, quantity: &str| {
+        all.iter().find(|own| own.test == test && own.quantity == quantity).unwrap().predicted
+    };
+    for (quantity, exponent) in [("profile_x", 1.0), ("depth", 2.0 / 3.0), ("width", 1.0 / 3.0)] {
+        let ratio = value("B", quantity) / value("A", quantity);
+        assert!((ratio / 0.5f64.powf(exponent) - 1.0).abs() < 0.02, "{quantity}: {ratio}");
+    }
+    // The section goes with the coefficient, whose interval is 1.96 times 20 %.
+    let half = all[0].halves[1];
+    assert!((half / 0.392 - 1.0).abs() < 0.02, "{half}");
+    let beyond = of("test,distance [m],file\nA,9000,block_1.csv\n").unwrap_err().to_string();
+    assert!(beyond.contains("the run of the case ends at 3600"), "{beyond}");
+    let unnamed = of("distance [m],file\n3600,block_1.csv\n").unwrap_err().to_string();
+    assert!(unnamed.contains("a column `test` is needed"), "{unnamed}");
 }
