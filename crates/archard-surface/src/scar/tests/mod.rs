@@ -254,3 +254,35 @@ fn exact_readings_are_the_shape() {
     assert!((width / (0.95f64.sqrt() * 2.0 * half) - 1.0).abs() < 5e-3, "{width}");
     assert!((scar.section.value / shape.section(1.0) - 1.0).abs() < 1e-3, "{scar:?}");
 }
+
+/// Whatever the readings are, there is a scar whose numbers are finite, or a reason.
+#[test]
+fn any_readings_have_an_answer() {
+    let mut random = fastrand::Rng::with_seed(12);
+    for round in 0..60 {
+        let count = [3, 19, 60, 300][random.usize(0..4)];
+        let scale = 10f64.powi(random.i32(-12..3));
+        let step = 10f64.powi(random.i32(-9..0));
+        let kind = random.usize(0..6);
+        let mut reading = |i: usize| {
+            let x = step * i as f64;
+            let z = match kind {
+                0 => 0.0,
+                1 => scale * f64::from(u8::from(i.is_multiple_of(2))),
+                2 => scale * random.f64(),
+                3 => scale * (i as f64).powi(3),
+                4 => -ring(x - 0.5 * step * count as f64, made::SECTION) + scale * random.f64(),
+                _ => [f64::NAN, f64::INFINITY, scale, 0.0][random.usize(0..4)],
+            };
+            [if random.u8(0..9) == 0 { 0.0 } else { x }, z]
+        };
+        let readings: Vec<[f64; 2]> = (0..count).map(&mut reading).collect();
+        if let Ok(scar) = Scar::find(&readings, &|_| 0.0, &computed()) {
+            let all = [scar.section, scar.place, scar.grown];
+            assert!(
+                all.iter().all(|own| own.value.is_finite() && own.expanded > 0.0),
+                "{round}: {scar:?}"
+            );
+        }
+    }
+}
