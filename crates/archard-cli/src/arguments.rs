@@ -1,14 +1,20 @@
 //! The command line.
 
-use std::num::NonZeroUsize;
-use std::path::PathBuf;
-use std::str::FromStr;
+mod run;
+mod sweep;
 
-use archard_case::output::Store;
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 
 use crate::plot::draw::{Format, Paper, Width};
+
+pub use run::{Case, Check, Run};
+pub use sweep::{Design, Layout, Sweep};
+
+use run::{CHECK_EXAMPLES, RUN_EXAMPLES};
+use sweep::SWEEP_EXAMPLES;
 
 /// Predicts contact and wear of elastic bodies from a case file.
 #[derive(Debug, Parser)]
@@ -130,150 +136,6 @@ pub struct Log {
     /// Write the rows that `archard fit` reads into this file, which must not exist
     #[arg(short, long, value_name = "ROWS", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-}
-
-/// A case with options laid over it.
-#[derive(Debug, Args)]
-pub struct Case {
-    /// A case file, a folder with a `case.toml`, or the name of a built-in case
-    pub case: PathBuf,
-    /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
-    /// out, a table replaces the table that is there, and KEY= removes the key
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// The relative error that is asked for, 0.01 or 1%: what the case does not say of frame, elements and tolerance
-    /// follows from it
-    #[arg(long, value_name = "ERROR")]
-    pub accuracy: Option<String>,
-    /// End where a quantity of wear reaches a limit, e.g. wear_depth=0.1mm: the life of the part
-    #[arg(long, value_name = "QUANTITY=LIMIT")]
-    pub until: Vec<String>,
-}
-
-impl Case {
-    /// The limits, as settings of their keys.
-    pub fn limits(&self) -> impl Iterator<Item = String> {
-        self.until.iter().map(|limit| format!("until.{limit}"))
-    }
-
-    /// The accuracy that is asked for, as a setting of its key.
-    pub fn accuracy(&self) -> Option<String> {
-        self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)))
-    }
-
-    /// All settings, the last of which may be the accuracy.
-    pub fn settings(&self) -> Vec<String> {
-        self.set.iter().cloned().chain(self.limits()).chain(self.accuracy()).collect()
-    }
-}
-
-const RUN_EXAMPLES: &str = "\
-Examples:
-  a case as it stands, into results/pin_on_disc:
-    archard run cases/pin_on_disc
-  at another load, to one per cent:
-    archard run cases/pin_on_disc --set motion.sliding.load=\"20 N\" --accuracy 1%
-  until a part is worn, with the coefficient of a fit and the lives of parts alike:
-    archard run bush.toml --until wear_depth=0.1mm --from results/rig_fit/fit.json
-  on with what was interrupted:
-    archard run --resume results/pin_on_disc";
-
-const CHECK_EXAMPLES: &str = "\
-Examples:
-  pressure and size of a contact, the depth to expect, the cost of a run:
-    archard check cases/pin_on_disc
-  the same to one per cent:
-    archard check cases/pin_on_disc --accuracy 1%
-  for a program:
-    archard check cases/pin_on_disc --json";
-
-/// The arguments of `check`.
-#[derive(Debug, Args)]
-pub struct Check {
-    #[command(flatten)]
-    pub case: Case,
-    /// Print JSON: problems with their places, the case in SI, what to expect
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// The arguments of `run`.
-#[derive(Debug, Default, Args)]
-pub struct Run {
-    /// A case file, a folder with a `case.toml`, or the name of a built-in case
-    #[arg(required_unless_present = "resume")]
-    pub case: Option<PathBuf>,
-    /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
-    /// out, a table replaces the table that is there, and KEY= removes the key
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// The relative error that is asked for, 0.01 or 1%: what the case does not say of frame, elements and tolerance
-    /// follows from it
-    #[arg(long, value_name = "ERROR", conflicts_with = "resume")]
-    pub accuracy: Option<String>,
-    /// End where a quantity of wear reaches a limit, e.g. wear_depth=0.1mm: the life of the part
-    #[arg(long, value_name = "QUANTITY=LIMIT", conflicts_with = "resume")]
-    pub until: Vec<String>,
-    /// Take the wear coefficient from a fit (a `fit.json`), and tell how lives scatter as its tests do
-    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
-    pub from: Option<PathBuf>,
-    /// The key in this case of the coefficient of `--from`, where bodies have other names
-    #[arg(long = "as", value_name = "KEY", requires = "from")]
-    pub key: Option<String>,
-    /// Take the wear coefficient at a key from the case where `--from` has none of that body
-    #[arg(long, value_name = "KEY", requires = "from")]
-    pub assume: Vec<String>,
-    /// How long to look for a grid that reaches the accuracy, for example 10min, asked after each grid; then the run
-    /// takes the finest one that was judged, and states its error
-    #[arg(long, value_name = "TIME", conflicts_with = "resume")]
-    pub budget: Option<String>,
-    /// Go on with the run in this folder where it was interrupted, to the same results as without
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["case", "set", "output", "force"])]
-    pub resume: Option<PathBuf>,
-    /// Where to write the results; results/NAME if not given, with the values of --set in its name.
-    /// Files that an earlier run of the same case wrote there are replaced; all others stay
-    #[arg(short, long, value_name = "DIR")]
-    pub output: Option<PathBuf>,
-    /// Replace the results of another case, or of an earlier version of the program
-    #[arg(long)]
-    pub force: bool,
-    /// Write a page about the run into its folder, as `archard report` does
-    #[arg(long)]
-    pub report: bool,
-    /// Number of threads; if not given one for half-spaces of up to 3600 elements, else as many as there are processors
-    #[arg(long, value_name = "N")]
-    pub threads: Option<NonZeroUsize>,
-    /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
-    /// given
-    #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]
-    pub cache: Option<PathBuf>,
-    /// Print errors only
-    #[arg(short, long)]
-    pub quiet: bool,
-    /// Print every check of the verdict, the good ones too
-    #[arg(short, long, conflicts_with = "quiet")]
-    pub verbose: bool,
-}
-
-impl Run {
-    /// The case, of a run that goes on the one in its folder.
-    pub fn case(&self) -> Case {
-        let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        let (set, accuracy, until) = (self.set.clone(), self.accuracy.clone(), self.until.clone());
-        Case { case: case.unwrap_or_default(), set, accuracy, until }
-    }
-
-    /// The folder of compliances, if there is any place for one.
-    pub fn store(&self) -> Option<Store> {
-        self.cache.clone().map(Store::new).or_else(Store::of_user)
-    }
-}
-
-/// A share that may be written in percent, or without the zero before its point; anything else stays as it is.
-fn share(text: &str) -> String {
-    let (number, unit) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
-    let number = number.trim().parse::<f64>();
-    number.map_or_else(|_| text.to_owned(), |number| (unit * number).to_string())
 }
 
 const LAWS_EXAMPLES: &str = "\
@@ -419,96 +281,6 @@ pub struct Report {
     pub options: crate::compare::Options,
 }
 
-const SWEEP_EXAMPLES: &str = "\
-Examples:
-  three loads, each at six coefficients of friction:
-    archard sweep CASE --over motion.rolling.load=\"100 N,200 N,300 N\" \\
-      --over friction.coulomb.coefficient=0.1:0.6:6 -o results/study
-  two amplitudes, each along x and y:
-    archard sweep CASE --over 'motion.fretting.amplitude=[\"1 um\", \"0 um\"]; [\"2 um\", \"0 um\"]' -o results/amplitudes
-  200 samples of a wear coefficient, known to a factor:
-    archard sweep CASE --sample \"body.pin.wear.archard.coefficient=lognormal(1.4e-4 mm^3/(N m), 0.4)\" \\
-      --samples 200 -o results/scatter
-  the shares of two scattering values in the scatter of the results (Sobol indices):
-    archard sweep CASE --sample \"motion.sliding.load=normal(10 N, 1 N)\" \\
-      --sample \"body.pin.profile.sphere.radius=uniform(45 mm, 55 mm)\" \\
-      --samples 128 --design saltelli -o results/shares
-  a part of the rows in each task of a Slurm array:
-    archard sweep CASE ... --task $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
-
-The same command goes on where it was interrupted. `archard plot DIR` draws the study.";
-
-/// The arguments of `sweep`.
-#[derive(Debug, Clone, Args)]
-pub struct Sweep {
-    /// A case file, a folder with a `case.toml`, or the name of a built-in case
-    pub case: PathBuf,
-    /// Put a value at a key of the case in all rows
-    #[arg(long, value_name = "KEY=VALUE")]
-    pub set: Vec<String>,
-    /// The relative error that is asked for in all rows, 0.01 or 1%: what the case does not say of frame,
-    /// elements and tolerance follows from it
-    #[arg(long, value_name = "ERROR")]
-    pub accuracy: Option<String>,
-    /// Go over values of a key: "5 N,10 N,20 N", lists or tables likewise, or a range "5 N:20 N:4" of four; each with each
-    /// value of other keys
-    #[arg(long, value_name = "KEY=VALUES")]
-    pub over: Vec<String>,
-    /// Draw values of a key: normal(mean, deviation), lognormal(median, deviation of the logarithm) or
-    /// uniform(from, to)
-    #[arg(long, value_name = "KEY=DISTRIBUTION", requires = "samples")]
-    pub sample: Vec<String>,
-    /// Draw the coefficients of a fit (a `fit.json`) as the next test will have them
-    #[arg(long, value_name = "FILE", requires = "samples")]
-    pub from: Option<PathBuf>,
-    /// Take the wear coefficient at a key from the case where `--from` has none of that body
-    #[arg(long, value_name = "KEY", requires = "from")]
-    pub assume: Vec<String>,
-    /// How the first two coefficients of `--from` go together, where they come from the same tests: correlation of their
-    /// logarithms
-    #[arg(skip)]
-    pub together: Option<f64>,
-    /// Number of samples, at each value of --over
-    #[arg(long, value_name = "N")]
-    pub samples: Option<NonZeroUsize>,
-    /// Tells sets of samples apart
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u32,
-    /// How samples are laid
-    #[arg(long, value_name = "DESIGN", value_enum)]
-    pub design: Option<Design>,
-    /// The folder of the study: `design.csv`, `sweep.csv` and a result folder a row in `rows`
-    #[arg(short, long, value_name = "DIR")]
-    pub output: PathBuf,
-    /// Rows that run at once; as many as there are processors if not given
-    #[arg(short, long, value_name = "N")]
-    pub jobs: Option<NonZeroUsize>,
-    /// Threads a row
-    #[arg(long, value_name = "N", default_value = "1")]
-    pub threads: NonZeroUsize,
-    /// Run every N-th row, from row I on: other tasks run the others, at the same time or not
-    #[arg(long, value_name = "I/N")]
-    pub task: Option<Share>,
-    /// Run each row by itself, those too that one run could tell because only k s counts
-    #[arg(long)]
-    pub separate: bool,
-    /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
-    /// given
-    #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]
-    pub cache: Option<PathBuf>,
-    /// Print errors only
-    #[arg(short, long)]
-    pub quiet: bool,
-}
-
-impl Sweep {
-    /// The case of all rows.
-    pub fn case(&self) -> Case {
-        let Self { case, set, accuracy, .. } = self.clone();
-        Case { case, set, accuracy, until: vec![] }
-    }
-}
-
 const FIT_EXAMPLES: &str = "\
 Data: a row a reading, with columns like
   test,distance_m,depth_um,u_depth_um
@@ -557,58 +329,6 @@ pub struct Fit {
     /// Print errors only
     #[arg(short, long)]
     pub quiet: bool,
-}
-
-/// How the rows of a study are laid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Design {
-    /// Each value with each of the others, without samples; the default where there are none
-    Grid,
-    /// Latin hypercube; the default of samples
-    Latin,
-    /// Sobol sequence, scrambled
-    Sobol,
-    /// Two Sobol samples and their mixtures, N (d + 2) rows for d sampled keys: what Sobol indices take
-    Saltelli,
-}
-
-/// How samples are laid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Layout {
-    /// Latin hypercube.
-    Latin,
-    /// Sobol sequence.
-    Sobol,
-    /// Two Sobol samples and their mixtures.
-    Saltelli,
-}
-
-/// A task's share of the rows: those whose number leaves a remainder.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Share {
-    /// The remainder.
-    task: usize,
-    /// Number of tasks.
-    of: NonZeroUsize,
-}
-
-impl Share {
-    /// Whether what has that number, from zero on, is in the share.
-    pub fn holds(self, index: usize) -> bool {
-        index % self.of == self.task % self.of
-    }
-}
-
-impl FromStr for Share {
-    type Err = &'static str;
-
-    /// `0/8` to `7/8`; or, where tasks are counted from one, `1/8` to `8/8`.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const LIKE: &str = "write a task and the number of tasks, like 0/8 to 7/8";
-        let (task, of) = text.split_once('/').ok_or(LIKE)?;
-        let share = Share { task: task.parse().or(Err(LIKE))?, of: of.parse().or(Err(LIKE))? };
-        if share.task <= share.of.get() { Ok(share) } else { Err(LIKE) }
-    }
 }
 
 /// Arguments of `archard validate`.
