@@ -1,12 +1,13 @@
-//! Studies: designs, rows that go on, tasks that share, and rows that are one run.
+//! Studies: designs, tables, and frames and grids of their rows.
+
+mod going_on;
+mod only_k_s;
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, SystemTime};
+use std::time::SystemTime;
 
-use archard_case::output::Claim;
 use tempfile::TempDir;
 
 use super::{archard, case, printed, said};
@@ -49,238 +50,6 @@ fn written(dir: &Path) -> Vec<(usize, SystemTime)> {
         folders.filter_map(|folder| Some((number(&folder)?, time(&folder)?))).collect();
     all.sort_unstable();
     all
-}
-
-#[test]
-fn every_row_is_the_run_by_itself() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let over = [
-        "--over",
-        "motion.sliding.load=5 N:20 N:2",
-        "--over",
-        "body.pin.profile.sphere.radius=25 mm,50 mm",
-    ];
-    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
-    let design = fs::read_to_string(dir.path().join("study/design.csv")).unwrap();
-    let head = "row,motion.sliding.load_N,body.pin.profile.sphere.radius_m\n";
-    assert_eq!(design, format!("{head}1,5.0,0.025\n2,5.0,0.05\n3,20.0,0.025\n4,20.0,0.05\n"));
-    let rows = rows(&dir, "study/sweep.csv");
-    assert_eq!(rows.len(), 4);
-    for (index, row) in rows.iter().enumerate() {
-        let load = format!("motion.sliding.load={} N", row["motion.sliding.load_N"]);
-        let radius =
-            format!("body.pin.profile.sphere.radius={} m", row["body.pin.profile.sphere.radius_m"]);
-        let alone = [
-            "run",
-            pin.to_str().unwrap(),
-            "-q",
-            "-o",
-            "alone",
-            "--force",
-            "--set",
-            &load,
-            "--set",
-            &radius,
-        ];
-        archard(&dir, &[&alone[..], &SMALL].concat()).success();
-        let history =
-            |folder: &str| fs::read_to_string(dir.path().join(folder).join("history.csv")).unwrap();
-        assert_eq!(history("alone"), history(&format!("study/rows/{:04}", index + 1)));
-        let last = self::rows(&dir, "alone/history.csv").pop().unwrap();
-        for (column, value) in &last {
-            let told = row[column].parse::<f64>().ok();
-            assert_eq!(told, value.parse().ok(), "{column}");
-        }
-        assert_eq!(row["status"], "done");
-    }
-    // Nothing is run again, with other jobs too.
-    let before = written(dir.path());
-    archard(&dir, &study(pin.to_str().unwrap(), &[&over[..], &["-j", "1"]].concat())).success();
-    assert_eq!(written(dir.path()), before);
-    // A row that is lost is run again, alone.
-    fs::remove_dir_all(dir.path().join("study/rows/0003")).unwrap();
-    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
-    let after = written(dir.path());
-    assert_eq!(after.len(), 4);
-    assert!([0, 1, 3].iter().all(|&row| after[row] == before[row]) && after[2].1 > before[2].1);
-    archard(&dir, &["plot", "study"]).success();
-    assert!(dir.path().join("study/plots/main_effects.svg").is_file());
-}
-
-#[test]
-fn tasks_share_the_rows() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let over = ["--over", "motion.sliding.load=5 N:20 N:7"];
-    let tasks: Vec<_> = (0..3)
-        .map(|task| {
-            Command::new(assert_cmd::cargo::cargo_bin("archard"))
-                .current_dir(dir.path())
-                .args(study(pin.to_str().unwrap(), &over))
-                .args(["--task", &format!("{task}/3"), "-j", "1"])
-                .stderr(Stdio::null())
-                .spawn()
-                .unwrap()
-        })
-        .collect();
-    for mut task in tasks {
-        assert!(task.wait().unwrap().success());
-    }
-    let rows = rows(&dir, "study/sweep.csv");
-    assert_eq!(rows.len(), 7);
-    assert!(rows.iter().all(|row| row["status"] == "done"), "{rows:?}");
-    // What one task runs by itself are its own rows.
-    let alone = TempDir::new().unwrap();
-    let task = [&over[..], &["--task", "3/3"]].concat();
-    archard(&alone, &study(pin.to_str().unwrap(), &task)).success();
-    let run: Vec<usize> = written(alone.path()).into_iter().map(|(row, _)| row).collect();
-    assert_eq!(run, [1, 4, 7]);
-}
-
-/// A row that another process runs is left to it.
-#[test]
-fn a_row_is_run_by_whoever_holds_its_folder() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let over = ["--over", "motion.sliding.load=5 N,6 N"];
-    let held = Claim::take(&dir.path().join("study/rows/0001")).unwrap();
-    let left = archard(&dir, &study(pin.to_str().unwrap(), &over)).code(2);
-    assert!(said(&left).contains("rows that another process runs: 1"), "{}", said(&left));
-    let status = || -> Vec<String> {
-        rows(&dir, "study/sweep.csv").iter().map(|row| row["status"].clone()).collect()
-    };
-    assert_eq!(status(), ["open", "done"]);
-    drop(held);
-    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
-    assert_eq!(status(), ["done", "done"]);
-}
-
-/// A study that is killed goes on, to the same bits.
-#[test]
-fn a_killed_study_goes_on() {
-    let pin = case("pin_on_disc");
-    let over = [
-        "--over",
-        "motion.sliding.load=5 N:20 N:6",
-        "--set",
-        "motion.sliding.step=2 mm",
-        "--set",
-        "frame.elements=[40, 40]",
-    ];
-    let [killed, whole] = [TempDir::new().unwrap(), TempDir::new().unwrap()];
-    archard(&whole, &study(pin.to_str().unwrap(), &over)).success();
-    for jobs in ["1", "2", "1"] {
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin("archard"))
-            .current_dir(killed.path())
-            .args(study(pin.to_str().unwrap(), &over))
-            .args(["-j", jobs])
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        std::thread::sleep(Duration::from_millis(400));
-        let _ = child.kill();
-        child.wait().unwrap();
-    }
-    archard(&killed, &study(pin.to_str().unwrap(), &over)).success();
-    let table = |dir: &TempDir| fs::read_to_string(dir.path().join("study/sweep.csv")).unwrap();
-    assert_eq!(table(&killed), table(&whole));
-    let histories = |dir: &TempDir| -> Vec<String> {
-        (1..=6)
-            .map(|row| {
-                fs::read_to_string(dir.path().join(format!("study/rows/{row:04}/history.csv")))
-                    .unwrap()
-            })
-            .collect()
-    };
-    assert_eq!(histories(&killed), histories(&whole));
-}
-
-/// Rows that differ in k alone: the smallest is its own run to 1e-9, the others to the error of their own, longer steps.
-#[test]
-fn only_k_s_counts() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let sample = format!("{K}=lognormal(1e-13 1/Pa, 0.4)");
-    let sampled = ["--sample", &sample, "--samples", "8", "--set", "motion.sliding.step=5 mm"];
-    let shared = [&["sweep", pin.to_str().unwrap(), "-o", "study"], &SMALL[..], &sampled].concat();
-    let ran = archard(&dir, &shared).success();
-    assert!(said(&ran).contains("7 of 8 rows"), "{}", said(&ran));
-    assert!(printed(&ran).contains("8 done, 0 wrong, 0 failed, 0 open"), "{}", printed(&ran));
-    let separate = [
-        &["sweep", pin.to_str().unwrap(), "-o", "separate", "--separate", "-q"],
-        &SMALL[..],
-        &sampled,
-    ]
-    .concat();
-    archard(&dir, &separate).success();
-    let [one, all] = ["study/sweep.csv", "separate/sweep.csv"].map(|name| rows(&dir, name));
-    let k = |row: &HashMap<String, String>| number(row, &format!("{K}_per_Pa"));
-    let least = (0..8).min_by(|&i, &j| k(&one[i]).total_cmp(&k(&one[j]))).unwrap();
-    for (index, (one, other)) in one.iter().zip(&all).enumerate() {
-        assert_eq!(k(one), k(other));
-        // What is told of a row is judged as its own run is, warnings included.
-        assert_eq!([&one["verdict"], &one["reason"]], [&other["verdict"], &other["reason"]]);
-        let lines = |study: &str| {
-            let path = format!("{study}/rows/{:04}/summary.json", index + 1);
-            let summary = fs::read_to_string(dir.path().join(path)).unwrap();
-            let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
-            let lines = summary["verdict"]["lines"].as_array().unwrap().iter();
-            let lines = lines.filter(|line| line["word"] != "good");
-            lines.map(|line| (line["subject"].clone(), line["word"].clone())).collect::<Vec<_>>()
-        };
-        assert_eq!(lines("study"), lines("separate"), "row {index}");
-        for column in [
-            "distance_m",
-            "load_N",
-            "approach_m",
-            "wear_depth_pin_m",
-            "worn_volume_pin_m3",
-            "centre_pressure_Pa",
-        ] {
-            let (one, other) = (number(one, column), number(other, column));
-            let within = if index == least || column.starts_with("worn") { 1e-9 } else { 1e-3 };
-            assert!(
-                (one / other - 1.0).abs() < within,
-                "row {index}, {column}: {one:e} and {other:e}"
-            );
-        }
-        // k F s.
-        let volume = k(one) * 10.2 * 0.5;
-        assert!((number(one, "worn_volume_pin_m3") / volume - 1.0).abs() < 1e-6);
-    }
-    // A row has its own history, which ends where it does.
-    let folder = format!("study/rows/{:04}/history.csv", least + 1);
-    assert!((number(rows(&dir, &folder).last().unwrap(), "distance_m") - 0.5).abs() < 1e-12);
-    // What is done stays done.
-    let before = written(dir.path());
-    archard(&dir, &shared).success();
-    assert_eq!(written(dir.path()), before);
-    archard(&dir, &["plot", "study"]).success();
-    for picture in ["bands.svg", "bands.png", "main_effects.svg"] {
-        assert!(dir.path().join("study/plots").join(picture).is_file(), "{picture}");
-    }
-}
-
-/// Under Archard's law a part lasts as 1 / k, and a row whose limit lies beyond the motion has no end of its life.
-#[test]
-fn lives_go_as_one_over_k() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let k = format!("{K}=1e-13 1/Pa, 2e-13 1/Pa, 1e-15 1/Pa");
-    let limit = ["--set", "until={ worn_volume_pin = \"4e-4 mm^3\" }", "--over", &k];
-    let arguments = [&["sweep", pin.to_str().unwrap(), "-o", "study"], &SMALL[..], &limit].concat();
-    let ran = archard(&dir, &arguments).success();
-    let rows = rows(&dir, "study/sweep.csv");
-    let life = |row: usize| number(&rows[row], "life_distance_m");
-    // k F s, with 10.2 N.
-    for (row, k) in [(0, 1e-13), (1, 2e-13)] {
-        let expected = 4e-13 / (k * 10.2);
-        assert!((life(row) / expected - 1.0).abs() < 1e-6, "{} {expected}", life(row));
-        assert!(number(&rows[row], "distance_m") >= expected);
-    }
-    assert_eq!(life(2), f64::INFINITY);
-    assert!(printed(&ran).contains("to beyond the motion"), "{}", printed(&ran));
 }
 
 /// Lists are values like others, and each row says what varied and what came out, the end the median and the interval.
@@ -375,44 +144,6 @@ fn two_keys_make_a_map() {
     }
 }
 
-/// Twice as many derived rows take twice the disk.
-#[test]
-fn derived_rows_take_disk_in_proportion() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let sample = format!("{K}=lognormal(1e-13 1/Pa, 0.2)");
-    let size = |samples: &str| {
-        let more = ["--sample", &sample, "--samples", samples];
-        archard(&dir, &study(pin.to_str().unwrap(), &more)).success();
-        let histories = (1..=samples.parse().unwrap()).map(|row: u64| {
-            let path = dir.path().join(format!("study/rows/{row:04}/history.csv"));
-            fs::metadata(path).unwrap().len()
-        });
-        let mut histories: Vec<u64> = histories.collect();
-        // All but the run itself.
-        histories.sort_unstable();
-        let derived: u64 = histories[..histories.len() - 1].iter().sum();
-        fs::remove_dir_all(dir.path().join("study")).unwrap();
-        derived as f64
-    };
-    let [few, many] = ["20", "80"].map(size);
-    assert!(many < 1.3 * 4.0 * few, "{few} and {many} bytes");
-}
-
-#[test]
-fn a_law_that_is_not_linear_in_k_runs_row_by_row() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let law =
-        "body.pin.wear={ threshold = { coefficient = \"1e-13 1/Pa\", threshold = \"1 MPa\" } }";
-    let over = ["--over", "body.pin.wear.threshold.coefficient=1e-13 1/Pa,2e-13 1/Pa"];
-    let arguments =
-        [&["sweep", pin.to_str().unwrap(), "-o", "study", "--set", law], &SMALL[..], &over]
-            .concat();
-    let ran = archard(&dir, &arguments).success();
-    assert!(!said(&ran).contains("Only k s counts"), "{}", said(&ran));
-}
-
 #[test]
 fn sobol_indices_have_their_own_design() {
     let dir = TempDir::new().unwrap();
@@ -431,21 +162,6 @@ fn sobol_indices_have_their_own_design() {
     assert_eq!(rows(&dir, "study/sweep.csv").len(), 4 * (2 + 2));
     archard(&dir, &["plot", "study"]).success();
     assert!(dir.path().join("study/plots/sobol_indices.png").is_file());
-}
-
-/// A row that does not converge is told with its error; the others are done.
-#[test]
-fn failed_rows_are_recorded() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let over = ["--over", "solver.conjugate_gradient.max_iterations=1,1000"];
-    let failed = archard(&dir, &study(pin.to_str().unwrap(), &over)).code(1);
-    assert!(said(&failed).contains("rows that failed or are wrong: 1"), "{}", said(&failed));
-    let rows = rows(&dir, "study/sweep.csv");
-    assert_eq!([&*rows[0]["status"], &*rows[1]["status"]], ["failed", "done"]);
-    assert!(rows[0]["error"].contains("did not converge"), "{rows:?}");
-    assert_eq!(rows[0]["wear_depth_m"], "");
-    assert!(number(&rows[1], "wear_depth_m") > 0.0);
 }
 
 /// Whatever is wrong is said before anything runs or is written.
@@ -514,30 +230,6 @@ fn wrong_studies_are_refused() {
     assert!(said(&refused).contains("two bodies in contact"), "{}", said(&refused));
 }
 
-#[test]
-fn a_folder_of_another_study_is_left_alone() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let of = |over: &'static str| {
-        study(pin.to_str().unwrap(), &["--over", over])
-            .iter()
-            .map(|s| (*s).to_owned())
-            .collect::<Vec<_>>()
-    };
-    let run = |arguments: Vec<String>| {
-        archard(&dir, &arguments.iter().map(String::as_str).collect::<Vec<_>>())
-    };
-    run(of("motion.sliding.load=5 N,6 N")).success();
-    let before = written(dir.path());
-    let refused = run(of("motion.sliding.load=5 N,7 N")).code(2);
-    assert!(said(&refused).contains("is of another study, from line 3 on"), "{}", said(&refused));
-    let mut other = of("motion.sliding.load=5 N,6 N");
-    other.extend(["--set".to_owned(), "motion.sliding.distance=400 mm".to_owned()]);
-    let refused = run(other).code(2);
-    assert!(said(&refused).contains("0001` holds another case"), "{}", said(&refused));
-    assert_eq!(written(dir.path()), before);
-}
-
 /// Frames of rows grow with their contact, also where one run tells several.
 #[test]
 fn frames_of_rows_grow_with_their_contact() {
@@ -602,37 +294,4 @@ fn rows_to_an_accuracy_find_their_grids() {
     let other: Vec<&str> =
         arguments.iter().map(|&one| if one == "5%" { "4%" } else { one }).collect();
     archard(&dir, &other).code(2);
-}
-
-/// Rows that are killed between the end of their run and that of their folder: the study is called again, and their folders are
-/// as if nobody had killed them.
-#[test]
-fn rows_that_are_killed_as_they_end_are_tidied() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let over = ["--over", "motion.sliding.load=5 N,20 N"];
-    let arguments = study(pin.to_str().unwrap(), &over);
-    archard(&dir, &arguments).success();
-    let row = dir.path().join("study/rows/0001");
-    let names = || {
-        let mut all: Vec<_> =
-            fs::read_dir(&row).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-        all.sort();
-        all
-    };
-    let manifest = row.join("manifest.txt");
-    let (before, list, times) =
-        (names(), fs::read_to_string(&manifest).unwrap(), written(dir.path()));
-    // Before the checkpoint goes, and before the list is in order.
-    for more in ["wrote checkpoint\n", "wrote checkpoint\nremoved checkpoint\n"] {
-        fs::write(&manifest, format!("{list}{more}")).unwrap();
-        if !more.contains("removed") {
-            fs::write(row.join("checkpoint"), "a run").unwrap();
-            fs::write(row.join("summary.json.999999.0.part"), "half").unwrap();
-        }
-        archard(&dir, &arguments).success();
-        assert_eq!(names(), before, "{more}");
-        assert_eq!(fs::read_to_string(&manifest).unwrap(), list, "{more}");
-    }
-    assert_eq!(written(dir.path()), times, "no row is run again");
 }
