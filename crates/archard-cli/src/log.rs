@@ -54,7 +54,7 @@ pub fn log(arguments: &Arguments) -> Result<(), Failure> {
         true => (ROWS, rows(&logs)),
         false => {
             let own: Vec<&PathBuf> = places.iter().map(|place| &profile[*place]).collect();
-            (ROWS_OF_PROFILES, beside(&logs, &own, arguments.output.as_deref())?)
+            (ROWS_OF_PROFILES, rows_of_profiles(&logs, &own, arguments.output.as_deref())?)
         }
     };
     if let Some(output) = arguments.output.as_deref().filter(|_| !told.is_empty()) {
@@ -77,10 +77,10 @@ pub fn log(arguments: &Arguments) -> Result<(), Failure> {
         [] => Ok(()),
         _ if !profile.is_empty() => Ok(()),
         [_] if logs.len() == 1 => Err(Failure::NotConverged(
-            "no step tells a wear coefficient; the reasons stand above".to_owned(),
+            "no step gives a wear coefficient; the reasons stand above".to_owned(),
         )),
         _ => Err(Failure::NotConverged(format!(
-            "no step tells a wear coefficient in {}; the reasons stand above",
+            "no step gives a wear coefficient in {}; the reasons stand above",
             untold.join(", ")
         ))),
     }
@@ -115,7 +115,11 @@ fn show(logs: &[Log], found: &[Group], as_json: bool) -> Result<(), Failure> {
 }
 
 /// The rows of logs with profiles, whose paths are those from the table.
-fn beside(logs: &[Log], own: &[&PathBuf], table: Option<&Path>) -> Result<Vec<String>, Failure> {
+fn rows_of_profiles(
+    logs: &[Log],
+    own: &[&PathBuf],
+    table: Option<&Path>,
+) -> Result<Vec<String>, Failure> {
     let folder = table.and_then(Path::parent).unwrap_or(Path::new(""));
     let row = |(log, file): (&Log, &&PathBuf)| {
         files::read(file, Contents::Numbers).map_err(|error| {

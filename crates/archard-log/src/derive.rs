@@ -8,7 +8,7 @@ use crate::head;
 use crate::options::Options;
 use crate::rate::FEWEST;
 use crate::roles::{self, Chosen};
-use crate::steps::{median, steps};
+use crate::steps::{ends, median, steps};
 use crate::table::Table;
 use crate::unit::FREE_FALL;
 
@@ -151,14 +151,15 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     backwards(&mut read, time.as_deref(), &steps);
 
     if let Some((time, (line, whole))) = time.as_ref().zip(head::total(table)) {
-        let passed = steps.iter().map(|rows| time[rows.end - 1] - time[rows.start]).sum::<f64>();
+        let own = |rows: &Range<usize>| ends(&time[rows.clone()]).map(|[first, last]| last - first);
+        let passed = steps.iter().filter_map(own).sum::<f64>();
         agree(
             &mut read,
             ("the time of all readings".into(), &format!("line {line}")),
             passed / whole,
         )?;
     }
-    let ways = ways(&time, &distance, (&laps, &stroke), (&speed, &rotation, &radius));
+    let ways = ways((&time, &steps), &distance, (&laps, &stroke), (&speed, &rotation, &radius));
     let Some((name, distance)) = ways.first().cloned() else {
         let turns = laps.is_some() || rotation.is_some();
         let known = [turns, radius.is_some(), speed.is_some(), time.is_some()];
@@ -169,7 +170,9 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     if name != COLUMN {
         read.say("distance", format!("from {name}"));
     }
-    let far = |way: &[f64], rows: &Range<usize>| way[rows.end - 1] - way[rows.start];
+    let far = |way: &[f64], rows: &Range<usize>| {
+        ends(&way[rows.clone()]).map_or(f64::NAN, |[first, last]| last - first)
+    };
     let longest = steps.iter().max_by(|one, other| one.len().cmp(&other.len()));
     let longest = longest.filter(|rows| rows.len() >= FEWEST);
     for (other, way) in ways[1..].iter().filter(|_| longest.is_some()) {
@@ -204,12 +207,12 @@ type Values = Option<Vec<f64>>;
 
 /// Each way to the distance, the best first.
 fn ways(
-    time: &Values,
+    (time, steps): (&Values, &[Range<usize>]),
     distance: &Values,
     (laps, stroke): (&Values, &Values),
     (speed, rotation, radius): (&Values, &Values, &Values),
 ) -> Vec<(&'static str, Vec<f64>)> {
-    let passed = |speed: &Vec<f64>| time.as_ref().map(|time| travelled(speed, time));
+    let passed = |speed: &Vec<f64>| time.as_ref().map(|time| travelled(speed, time, steps));
     let per_turn = |length: &Values, factor: f64| {
         let (laps, length) = laps.as_ref().zip(length.as_ref())?;
         Some(laps.iter().zip(length).map(|(n, l)| factor * l * n).collect())
@@ -230,19 +233,27 @@ fn turning(rotation: &Values, radius: &Values) -> Values {
     Some(rotation.iter().zip(radius).map(|(n, r)| TAU * (n * r).abs()).collect())
 }
 
-/// How far a speed comes in time; where the time jumps back it comes nowhere.
-fn travelled(speed: &[f64], time: &[f64]) -> Vec<f64> {
+/// How far a speed comes in the time of each step: from one reading of both to the next, and nowhere until a time that jumped back is
+/// later than it was before. A reading without speed or time has no place.
+fn travelled(speed: &[f64], time: &[f64], steps: &[Range<usize>]) -> Vec<f64> {
     let mut far = 0.0;
-    (0..speed.len())
-        .map(|row| {
-            if row > 0 {
-                let passed =
-                    0.5 * (speed[row] + speed[row - 1]).abs() * (time[row] - time[row - 1]);
-                far += if passed > 0.0 { passed } else { 0.0 };
+    let within = |rows: &Range<usize>| -> Vec<f64> {
+        let mut last: Option<[f64; 2]> = None;
+        let place = |row: usize| {
+            let now = [time[row], speed[row]];
+            if now.iter().any(|own| !own.is_finite()) {
+                return f64::NAN;
+            }
+            let [since, before] = last.unwrap_or(now);
+            if now[0] >= since {
+                far += 0.5 * (now[1] + before).abs() * (now[0] - since);
+                last = Some(now);
             }
             far
-        })
-        .collect()
+        };
+        rows.clone().map(place).collect()
+    };
+    steps.iter().flat_map(within).collect()
 }
 
 /// The load: given, or from friction force over coefficient, or a dead weight that stays the same.
@@ -283,17 +294,23 @@ fn loaded(
     Ok(Some(vec![weight; rows]))
 }
 
-/// Holds two ways to a value against each other: by five and more only a unit is wrong, by more than a tenth it is said.
+/// The ratio from which on a unit is wrong: units that are taken for each other differ by 2 pi (turns and radians) and more; a choice
+/// below that.
+const UNITS: f64 = 5.0;
+/// The ratio from which on two ways to a value are said to differ: a choice.
+const DIFFER: f64 = 1.1;
+
+/// Holds two ways to a value against each other: what only a unit makes is refused, and what differs is said.
 fn agree(read: &mut Reader<'_>, (one, other): (String, &str), ratio: f64) -> Result<(), Error> {
     if !ratio.is_finite() || ratio <= 0.0 {
         return Ok(());
     }
-    if !(0.2..=5.0).contains(&ratio) {
+    if !(1.0 / UNITS..=UNITS).contains(&ratio) {
         let (log, line) = (read.table.source.clone(), read.table.heading);
         let ratio = format!("{ratio:.4}");
         return Err(Error::Disagree { log, line, one, other: other.to_owned(), ratio });
     }
-    if !(1.0 / 1.1..=1.1).contains(&ratio) {
+    if !(1.0 / DIFFER..=DIFFER).contains(&ratio) {
         read.say("see", format!("{one} is {ratio:.3} times that from {other}"));
     }
     Ok(())
@@ -306,7 +323,7 @@ fn backwards(read: &mut Reader<'_>, time: Option<&[f64]>, steps: &[Range<usize>]
         |rows: &Range<usize>| (rows.start + 1..rows.end).find(|at| time[*at] < time[at - 1]);
     if let Some(row) = steps.iter().find_map(within) {
         let line = read.table.lines[row];
-        read.say("time", format!("jumps back at line {line} and goes on: that reading has passed no time; correct it in the log"));
+        read.say("time", format!("jumps back at line {line} and goes on: no distance is passed until the time before is reached again; correct it in the log"));
     }
     let again = steps.windows(2).find(|pair| time[pair[1].start] < time[pair[1].start - 1]);
     if let Some(pair) = again {

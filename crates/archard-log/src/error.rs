@@ -32,6 +32,22 @@ pub enum Error {
         /// The first line of numbers.
         line: usize,
     },
+    /// A row has more cells than there are names, or not as many where blanks separate them.
+    #[error(
+        "{log}:{line}: there are {values} cells in this row and {names} names in line {heading}: export with one separator that is no decimal sign, and a name for each column"
+    )]
+    Width {
+        /// The log.
+        log: String,
+        /// The first row.
+        line: usize,
+        /// Its cells.
+        values: usize,
+        /// The names.
+        names: usize,
+        /// The line of the names.
+        heading: usize,
+    },
     /// Another table begins within the file.
     #[error(
         "{log}:{line}: the columns have other names from here on (`{heading}`): give each table a file of its own"

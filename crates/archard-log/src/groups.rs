@@ -2,6 +2,7 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use crate::steps::{near, range};
 use crate::{Log, Step};
 
 /// Logs that can be held against each other.
@@ -45,19 +46,12 @@ fn stem(name: &str) -> String {
 }
 
 /// The groups of two and more: by name and load, then those of the same load, radius and speed under several names.
-pub fn groups(logs: &[Log]) -> Vec<Group> {
-    let told = |(log, own): (usize, &'_ Log)| -> Option<(usize, String, f64, f64)> {
+pub fn groups<'a>(logs: &'a [Log]) -> Vec<Group> {
+    let told = |(log, own): (usize, &'a Log)| {
         let step = own.main_step()?;
-        Some((log, stem(&own.name()), step.load?, step.k_over_area()?))
+        Some(Told { log, stem: stem(&own.name()), step, load: step.load?, k: step.k_over_area()? })
     };
-    let all: Vec<Told<'_>> = logs
-        .iter()
-        .enumerate()
-        .filter_map(|own| {
-            let (log, stem, load, k) = told(own)?;
-            Some(Told { log, stem, step: logs[log].main_step()?, load, k })
-        })
-        .collect();
+    let all: Vec<Told<'_>> = logs.iter().enumerate().filter_map(told).collect();
     let by_name = gathered(&all, |one, other| one.stem == other.stem && near(one.load, other.load));
     let by_setup = gathered(&all, |one, other| {
         let same = |one: Option<f64>, other: Option<f64>| match (one, other) {
@@ -71,11 +65,6 @@ pub fn groups(logs: &[Log]) -> Vec<Group> {
     let named = by_name.iter().map(|own| group(own, true));
     let several = by_setup.iter().filter(|own| own.iter().any(|one| one.stem != own[0].stem));
     named.chain(several.map(|own| group(own, false))).collect()
-}
-
-/// Within a hundredth.
-fn near(one: f64, other: f64) -> bool {
-    (one - other).abs() <= 0.01 * one.abs().max(other.abs())
 }
 
 fn gathered<'a>(
@@ -99,12 +88,6 @@ fn group(own: &[&Told<'_>], named: bool) -> Group {
     let mean = logarithms.iter().sum::<f64>() / n;
     let squares: f64 = logarithms.iter().map(|one| (one - mean).powi(2)).sum();
     let radii: Vec<f64> = own.iter().filter_map(|one| one.step.radius).collect();
-    let ends = |radii: &[f64]| {
-        [
-            radii.iter().copied().fold(f64::INFINITY, f64::min),
-            radii.iter().copied().fold(0.0, f64::max),
-        ]
-    };
     let [first, load] = [&own[0].stem, &format!("{:.4} N", own[0].load)];
     let of_setup = || {
         let radius =
@@ -117,7 +100,7 @@ fn group(own: &[&Told<'_>], named: bool) -> Group {
         named,
         logs: own.iter().map(|one| one.log).collect(),
         load: own[0].load,
-        radius: (radii.len() == own.len()).then(|| ends(&radii)),
+        radius: (radii.len() == own.len()).then(|| range(&radii)),
         k: own.iter().map(|one| one.k).collect(),
         median: mean.exp(),
         scatter: (squares / (n - 1.0)).sqrt(),
@@ -130,9 +113,7 @@ fn agree(own: &[&Told<'_>]) -> bool {
     let each: Vec<(f64, f64)> = own
         .iter()
         .filter_map(|one| {
-            let [low, high] = one.step.steady?.interval;
-            // The 95 % interval of a normal distribution is 3.92 standard deviations wide.
-            let error = (high - low) / 3.92 / one.load;
+            let error = one.step.steady?.deviation() / one.load;
             Some((one.k, error.max(f64::MIN_POSITIVE).powi(-2)))
         })
         .collect();

@@ -36,9 +36,9 @@ pub fn stated(table: &Table, role: &str) -> Option<Stated> {
                 if rest.trim().is_empty() { later.map_or("", |own| own) } else { rest.trim() };
             let behind = cells[index + 1..].iter().skip_while(|cell| cell.as_str() != own).nth(1);
             let over = below.and_then(|below| below.get(index)).map_or("", |own| own);
-            let own = if is_number(own) { own } else { over };
+            let own = if value(own, table.decimal).is_some() { own } else { over };
             let units = [unit.as_deref(), behind.map(String::as_str)];
-            of(own, &units, *measure, role).map(|value| Stated {
+            of((own, table.decimal), &units, *measure, role).map(|value| Stated {
                 line: *line,
                 words: format!("{name} {own}"),
                 value,
@@ -73,15 +73,22 @@ fn split(text: &str) -> (&str, &str) {
     text.split_at(end.unwrap_or(text.len()))
 }
 
-fn is_number(text: &str) -> bool {
+/// The leading number of a text, with the decimal sign of the readings if it may have that, or else the other.
+fn value(text: &str, decimal: char) -> Option<f64> {
     let (value, _) = split(text);
-    number(value, '.').or_else(|| number(value, ',')).is_some()
+    let other = if decimal == ',' { '.' } else { ',' };
+    number(value, decimal).or_else(|| number(value, other))
 }
 
 /// A value in SI, of a text with a unit in it or behind it; `Some(None)` if it has no unit.
-fn of(text: &str, units: &[Option<&str>], measure: Measure, role: &str) -> Option<Option<f64>> {
-    let (value, own) = split(text);
-    let value = number(value, '.').or_else(|| number(value, ','))?;
+fn of(
+    (text, decimal): (&str, char),
+    units: &[Option<&str>],
+    measure: Measure,
+    role: &str,
+) -> Option<Option<f64>> {
+    let value = value(text, decimal)?;
+    let (_, own) = split(text);
     let all = std::iter::once(own).chain(units.iter().flatten().copied());
     let mut known = all.filter(|unit| !unit.trim().is_empty()).filter_map(unit::known);
     Some(known.find_map(|(of, size)| match of {

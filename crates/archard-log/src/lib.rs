@@ -57,10 +57,11 @@ impl Log {
         let mut all = derive::derive(&table, options)?;
         let from = options.each("from", all.steps.len())?;
         // A rig closes a test with a step of a reading or two.
-        let (long, short): (Vec<usize>, Vec<usize>) =
-            (0..all.steps.len()).partition(|step| all.steps[*step].len() >= FEWEST);
-        let told = if long.is_empty() { &short } else { &long };
-        if !long.is_empty() && !short.is_empty() {
+        let readings = |step: &usize| all.steps[*step].len();
+        let longest = (0..all.steps.len()).rev().max_by_key(readings);
+        let (told, short): (Vec<usize>, Vec<usize>) = (0..all.steps.len())
+            .partition(|step| readings(step) >= FEWEST || longest == Some(*step));
+        if !short.is_empty() {
             let lines = short.iter().map(|step| table.lines[all.steps[*step].start].to_string());
             let lines: Vec<String> = lines.take(5).collect();
             let words = format!(

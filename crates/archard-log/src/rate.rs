@@ -21,6 +21,16 @@ pub struct Rate {
     pub wander: f64,
 }
 
+/// Width of the 95 % interval of a normal distribution, in its standard deviations.
+const NORMAL: f64 = 3.92;
+
+impl Rate {
+    /// The standard deviation (m/m) of a normal distribution that has the same interval.
+    pub fn deviation(&self) -> f64 {
+        (self.interval[1] - self.interval[0]) / NORMAL
+    }
+}
+
 /// The rate of all that is given, with a step at each jump.
 pub fn rate(distance: &[f64], depth: &[f64], jumps: &[usize]) -> Option<Rate> {
     let n = depth.len();

@@ -20,6 +20,13 @@ fn words(rate: &Rate) -> String {
     format!("{} um/m, 95 % interval {low} .. {high}", four(1e6 * rate.rate))
 }
 
+/// The coefficient over worn area with its interval, of a step that has one.
+fn coefficient(step: &Step) -> Option<String> {
+    let (k, rate, load) = (step.k_over_area()?, step.steady?, step.load?);
+    let [low, high] = rate.interval.map(|end| four(1e3 * end / load));
+    Some(format!("{} mm3/(N m) per mm2, 95 % interval {low} .. {high}", four(1e3 * k)))
+}
+
 impl Log {
     /// Lines of a name and words, in units of the field.
     pub fn lines(&self) -> Vec<String> {
@@ -34,7 +41,7 @@ impl Log {
             lines.push(line(
                 "step",
                 &format!(
-                    "lines {first} to {last}: {} readings over {} m {load}; {} before load and motion or after",
+                    "lines {first} to {last}: {} readings over {} m {load}; {} without load or motion",
                     step.readings, four(step.distance), step.idle
                 ),
             ));
@@ -78,14 +85,7 @@ impl Log {
             if let Some(rate) = &step.second_half {
                 lines.push(line("second half", &words(rate)));
             }
-            if let (Some(k), Some(rate), Some(load)) = (step.k_over_area(), step.steady, step.load)
-            {
-                let [low, high] = rate.interval.map(|end| four(1e3 * end / load));
-                lines.push(line(
-                    "k / area",
-                    &format!("{} mm3/(N m) per mm2, 95 % interval {low} .. {high}", four(1e3 * k)),
-                ));
-            }
+            lines.extend(coefficient(step).map(|words| line("k / area", &words)));
             if let Some((mean, [low, high])) = &step.friction {
                 lines.push(line(
                     "friction",
@@ -104,12 +104,8 @@ impl Log {
         let name = self.name();
         let Some(step) = self.main_step() else { return format!("{name}: no readings") };
         let load = step.load.map_or("unknown load".to_owned(), |load| format!("{} N", four(load)));
-        let told = step.k_over_area().zip(step.steady).zip(step.load);
-        let words = match told {
-            Some(((k, rate), load)) => {
-                let [low, high] = rate.interval.map(|end| four(1e3 * end / load));
-                format!("k / area {} mm3/(N m) per mm2 ({low} .. {high})", four(1e3 * k))
-            }
+        let words = match coefficient(step) {
+            Some(words) => format!("k / area {words}"),
             None => format!("no k / area: {}", step.refused.as_deref().unwrap_or_default()),
         };
         format!("{name}: {load}, {} m: {words}", four(step.distance))

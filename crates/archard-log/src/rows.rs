@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use thiserror::Error;
 
+use crate::steps::{near, range};
 use crate::{Log, Step};
 
 /// The heading of the rows.
@@ -28,9 +29,7 @@ pub fn rows<'a>(logs: impl IntoIterator<Item = &'a Log>) -> Vec<String> {
         step.k_over_area()?;
         let (rate, load) = (step.steady?, step.load?);
         let far = rate.part[1] - rate.part[0];
-        // The 95 % interval of a normal distribution is 3.92 standard deviations wide.
-        let error = (rate.interval[1] - rate.interval[0]) * far / 3.92;
-        let [depth, error] = [1e6 * rate.rate * far, 1e6 * error];
+        let [depth, error] = [rate.rate, rate.deviation()].map(|own| 1e6 * own * far);
         let name = named(log);
         Some(format!("{name},{far:.6e},{depth:.6e},{error:.6e},{load:.6e}"))
     })
@@ -55,7 +54,7 @@ pub enum Unmatched {
     },
     /// Loads that differ.
     #[error(
-        "{log}: its steps have loads from {low:.4} to {high:.4} N, and the profile was worn by all of them: give a test of one load"
+        "{log}: the load goes from {low:.4} to {high:.4} N, and the profile was worn by all of it: give a test of one load"
     )]
     Loads {
         /// The log.
@@ -81,11 +80,9 @@ pub fn with_profile(log: &Log, file: &str) -> Result<String, Unmatched> {
     }
     let loads: Option<Vec<f64>> = slid.iter().map(|step| step.load).collect();
     let Some(loads) = loads else { return Err(Unmatched::NoLoad { log: source() }) };
-    let [low, high] = [
-        loads.iter().copied().fold(f64::INFINITY, f64::min),
-        loads.iter().copied().fold(0.0, f64::max),
-    ];
-    if high > 1.01 * low {
+    let changed = slid.iter().filter_map(|step| step.changed).flatten();
+    let [low, high] = range(&loads.into_iter().chain(changed).collect::<Vec<_>>());
+    if !near(low, high) {
         return Err(Unmatched::Loads { log: source(), low, high });
     }
     Ok(format!("{},{far:.6e},{high:.6e},\"{}\"", log.name(), file.replace('"', "\"\"")))

@@ -2,7 +2,7 @@
 
 use crate::derive::Derived;
 use crate::rate::{self, FEWEST, Rate};
-use crate::steps::median;
+use crate::steps::{ends, median, range};
 use crate::table::Table;
 use crate::transducer;
 use std::ops::Range;
@@ -18,6 +18,8 @@ pub struct Step {
     pub idle: usize,
     /// Normal load (N).
     pub load: Option<f64>,
+    /// The smallest and the largest load (N) of tenths of the readings, if they differ by so much that no one load made the wear.
+    pub changed: Option<[f64; 2]>,
     /// Radius of the track (m).
     pub radius: Option<f64>,
     /// Sliding speed (m/s).
@@ -75,9 +77,10 @@ impl Step {
         };
         let n = distance.len();
         // In motion are all from the first to the last change of the distance.
-        let begins = distance.iter().position(|at| *at > distance[0]).unwrap_or(n).max(1) - 1;
-        let ends = distance.iter().rposition(|at| *at < distance[n - 1]).map_or(0, |row| row + 1);
-        let taken: Vec<usize> = (begins..n.min(ends + 1)).filter(is_on).collect();
+        let [first, last] = ends(distance).unwrap_or_default();
+        let begins = distance.iter().position(|at| *at > first).unwrap_or(n).max(1) - 1;
+        let end = distance.iter().rposition(|at| *at < last).map_or(0, |row| row + 1);
+        let taken: Vec<usize> = (begins..n.min(end + 1)).filter(is_on).collect();
         let of = |all: &[f64]| -> Vec<f64> { taken.iter().map(|row| all[*row]).collect() };
         let along = of(distance);
         let slid = along.last().zip(along.first()).map_or(0.0, |(last, first)| last - first);
@@ -89,6 +92,7 @@ impl Step {
             readings: taken.len(),
             idle: n - taken.len(),
             load: full,
+            changed: load.as_deref().and_then(|load| changed(&of(load))),
             radius: middle(own(&all.radius)),
             speed: middle(own(&all.speed)),
             distance: slid,
@@ -124,7 +128,7 @@ impl Step {
             let later = step.course.friction.iter().filter(|point| point[0] >= part);
             step.friction = rate::mean(&later.map(|point| point[1]).collect::<Vec<_>>());
         }
-        let slides = n < FEWEST || distance.iter().any(|at| *at > distance[0]);
+        let slides = n < FEWEST || distance.iter().any(|at| *at > first);
         step.refused = step.refusal(all, still, slides, table.heading);
         step
     }
@@ -208,10 +212,27 @@ impl Step {
                 "`{title}` falls: if it counts downwards as the specimen wears, say --column wear=\"-{title}\"; else it grew or warmed"
             ));
         }
-        self.load.is_none().then(|| {
-            "no column holds a load: give --set load=\"5 N\", or --column load=TITLE".into()
+        if self.load.is_none() {
+            return Some(
+                "no column holds a load: give --set load=\"5 N\", or --column load=TITLE".into(),
+            );
+        }
+        self.changed.map(|[low, high]| {
+            format!(
+                "the load goes from {low:.4} to {high:.4} N in this step, and the rate is of no one load: give the readings of each load a log of their own"
+            )
         })
     }
+}
+
+/// Share of the load from which on a change counts: half of it is the most that one load misses the others by (a choice).
+const CHANGE: f64 = 0.1;
+
+/// The smallest and the largest median of tenths of the readings, if they differ by more than that share of the median of all.
+fn changed(load: &[f64]) -> Option<[f64; 2]> {
+    let tenths = load.chunks(load.len().div_ceil(10).max(1)).map(median);
+    let [low, high] = range(&tenths.collect::<Vec<_>>());
+    (load.len() >= FEWEST && high - low > CHANGE * median(load)).then_some([low, high])
 }
 
 /// The load that is on: the median of readings above half of the largest, spikes apart.

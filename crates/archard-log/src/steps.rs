@@ -10,13 +10,14 @@ const STEPS: [&str; 6] = ["thisstep", "recipestep", "step", "sequenceid", "segme
 /// The rows of each step: where the number of the step changes, or what counts up starts again.
 pub fn steps(table: &Table, counters: &[&Vec<f64>]) -> Vec<Range<usize>> {
     let rows = table.lines.len();
+    let counters: Vec<Vec<f64>> = counters.iter().map(|own| held(own)).collect();
     let changes = |values: &[f64]| values.windows(2).filter(|pair| pair[0] != pair[1]).count();
     // A counter of the readings changes in most rows; a step does not.
     let counts = STEPS.iter().filter_map(|name| table.columns.iter().find(|own| own.name == *name));
-    let step = counts.into_iter().find(|own| 2 * changes(&own.values) < rows);
+    let step = counts.map(|own| held(&own.values)).find(|own| 2 * changes(own) < rows);
     let mut edges = vec![0];
     for row in 1..rows {
-        let other = step.is_some_and(|own| own.values[row] != own.values[row - 1]);
+        let other = step.as_ref().is_some_and(|own| own[row] != own[row - 1]);
         let start = edges[edges.len() - 1];
         if other || counters.iter().any(|own| starts_again(own, start, row)) {
             edges.push(row);
@@ -24,6 +25,34 @@ pub fn steps(table: &Table, counters: &[&Vec<f64>]) -> Vec<Range<usize>> {
     }
     edges.push(rows);
     edges.windows(2).map(|pair| pair[0]..pair[1]).collect()
+}
+
+/// Values where a cell without one holds the last before it, or else the first behind it.
+fn held(values: &[f64]) -> Vec<f64> {
+    let mut last = ends(values).map_or(f64::NAN, |[first, _]| first);
+    let hold = |own: &f64| {
+        last = if own.is_nan() { last } else { *own };
+        last
+    };
+    values.iter().map(hold).collect()
+}
+
+/// The first and the last value that is a number.
+pub fn ends(values: &[f64]) -> Option<[f64; 2]> {
+    let mut known = values.iter().copied().filter(|own| own.is_finite());
+    let first = known.next()?;
+    Some([first, known.next_back().unwrap_or(first)])
+}
+
+/// The smallest and the largest of values.
+pub fn range(values: &[f64]) -> [f64; 2] {
+    let ends = |[low, high]: [f64; 2], own: &f64| [low.min(*own), high.max(*own)];
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends)
+}
+
+/// Whether two values are the same within a hundredth: loads, radii and speeds of tests that are repeated (a choice).
+pub fn near(one: f64, other: f64) -> bool {
+    (one - other).abs() <= 0.01 * one.abs().max(other.abs())
 }
 
 /// Whether what counts up falls at a row, and has not passed what was reached there with the next one, as after a reading that is off.

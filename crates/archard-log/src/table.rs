@@ -33,6 +33,8 @@ pub struct Table {
     pub lines: Vec<usize>,
     /// The line of the names.
     pub heading: usize,
+    /// The decimal sign of its numbers.
+    pub decimal: char,
     /// Lines without readings, above the names and between or below the readings, as cells.
     pub asides: Vec<(usize, Vec<String>)>,
     /// What was passed over.
@@ -202,6 +204,16 @@ impl Table {
         };
         let Some(at) = at else { return Err(Error::NoHeading { log, line: split[first].0 }) };
         let titles = &split[at].1;
+        // Cells beyond the names, or as many as blanks leave open, may be those of any column.
+        let fits = |cells: &[String]| match separator {
+            ' ' => cells.len() == titles.len(),
+            _ => !cells.iter().skip(titles.len()).any(|cell| is_value(cell)),
+        };
+        if !fits(&split[first].1) {
+            let (line, cells) = &split[first];
+            let (names, values) = (titles.len(), cells.len());
+            return Err(Error::Width { log, line: *line, values, names, heading: split[at].0 });
+        }
         let cells = (first..own.end).filter(|row| is_a_row[*row]);
         let sign = decimal(cells.flat_map(|row| split[row].1.iter().map(|cell| &**cell)));
         let (mut kept, mut asides, mut others, mut repeated) = (vec![], vec![], vec![], 0);
@@ -210,7 +222,7 @@ impl Table {
                 continue;
             }
             if own.contains(&place) && place >= first {
-                if is_a_row[place] && wide(cells) {
+                if is_a_row[place] && wide(cells) && fits(cells) {
                     kept.push((*line, cells));
                     continue;
                 }
@@ -249,6 +261,12 @@ impl Table {
                     .map(|(_, cells)| number(&own(cells), sign).unwrap_or(f64::NAN))
                     .collect(),
             };
+            let later = |(value, clock): (&f64, &Option<(f64, bool)>)| {
+                clock.is_some_and(|(time, _)| time < *value)
+            };
+            if let Some(row) = values.iter().zip(&clocks).position(later) {
+                said.push(format!("`{title}` passes midnight before line {}", kept[row].0));
+            }
             if title.is_empty() || values.iter().all(|value: &f64| value.is_nan()) {
                 continue;
             }
@@ -258,7 +276,7 @@ impl Table {
             columns.push(Column { title: title.clone(), name, unit, values, is_clock });
         }
         let lines = kept.iter().map(|(line, _)| *line).collect();
-        Ok(Self { source: log, columns, lines, heading: split[at].0, asides, said })
+        Ok(Self { source: log, columns, lines, heading: split[at].0, decimal: sign, asides, said })
     }
 
     /// Whether it is a height over a length and nothing else, by the names; a distance slid is in metres.

@@ -5,7 +5,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use crate::noise::BINS;
 use crate::steps::median;
 
-/// Share of readings that are not off: scatter is that of the others.
+/// Share of readings whose scatter is that of all: up to a tenth may be off (a choice).
 const SOUND: f64 = 0.9;
 
 /// What no noise of the others makes once in a hundred logs of as many readings: that many times their scatter, not below the

@@ -106,12 +106,15 @@ pub fn stands_alone(unit: &str) -> Option<(Measure, f64)> {
     })
 }
 
-/// A quantity like `5 N`, in SI.
+/// A quantity like `5 N`, in SI; none where its number can be read in two ways.
 pub fn quantity(text: &str) -> Option<(Measure, f64)> {
     let text = text.trim().trim_matches('"');
     let end = text.find(|letter: char| !(letter.is_ascii_digit() || "+-.,eE".contains(letter)));
     let (number, unit) = text.split_at(end?);
-    let value: f64 = number.trim().replace(',', ".").parse().ok()?;
+    let [point, comma] = ['.', ','].map(|sign| crate::number::number(number, sign));
+    // `5,000 N` is five or five thousand.
+    let two_ways = number.contains(',') && point.is_some() && comma.is_some();
+    let value = point.or(comma).filter(|_| !two_ways)?;
     let (measure, size) = known(unit)?;
     (value.is_finite() && size.is_finite()).then_some((measure, value * size))
 }
@@ -128,6 +131,10 @@ mod tests {
         assert_eq!(known("furlong"), None);
         assert_eq!(quantity("5 N"), Some((Measure::Force, 5.0)));
         assert_eq!(quantity("0,5 mm"), Some((Measure::Length, 0.5e-3)));
-        assert_eq!(quantity("5"), None);
+        assert_eq!(quantity("1.500e-3 m"), Some((Measure::Length, 1.5e-3)));
+        assert_eq!(quantity("5.000 N"), Some((Measure::Force, 5.0)));
+        for text in ["5", "5,000 N", ""] {
+            assert_eq!(quantity(text), None, "{text}");
+        }
     }
 }

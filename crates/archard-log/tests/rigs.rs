@@ -279,3 +279,116 @@ fn logs_of_one_name_are_held_against_each_other() {
     assert!((found[0].scatter - 2f64.ln() / 2f64.sqrt()).abs() < 0.01, "{}", found[0].scatter);
     assert_eq!(found[1].logs, [0, 1, 2]);
 }
+
+/// What has no number is left out, and the others keep their place: speeds that are read now and then, ends of a distance, and the
+/// number of a step.
+#[test]
+fn cells_without_a_number_change_no_rate() {
+    let log = |heading: &str, line: &dyn Fn(u32) -> String| {
+        told(&format!("{heading}\n{}", (0..600).map(line).collect::<String>()))
+    };
+    let worn = |row: u32| 0.25 * f64::from(row) + 0.02 * noise(row);
+    for log in [
+        log("time [s],speed [m/s],load [N],wear [um]", &|row| {
+            let speed = if noise(row) < 0.3 { "NaN" } else { "0.5" };
+            format!("{row},{speed},10,{}\n", worn(row))
+        }),
+        log("time [s],distance [m],load [N],wear [um]", &|row| {
+            let far = 0.5 * f64::from(row);
+            let far = if row % 599 == 0 { String::new() } else { far.to_string() };
+            format!("{row},{far},10,{}\n", worn(row))
+        }),
+        log("step,distance [m],load [N],wear [um]", &|row| {
+            let step = if row % 50 == 7 { "NaN" } else { "1" };
+            format!("{step},{},10,{}\n", 0.5 * f64::from(row), worn(row))
+        }),
+    ] {
+        assert_eq!(log.steps.len(), 1);
+        has_rate(&log.steps[0], 0.5);
+    }
+}
+
+/// A clock that is set back again and again passes no time twice.
+#[test]
+fn a_time_that_is_passed_twice_counts_once() {
+    let lines = (0..600u32).map(|row| {
+        let time = if row % 10 == 9 { row - 5 } else { row };
+        format!("{time},0.5,10,{}\n", 0.25 * f64::from(row) + 0.02 * noise(row))
+    });
+    let text = format!("time [s],speed [m/s],load [N],wear [um]\n{}", lines.collect::<String>());
+    has_rate(&told(&text).steps[0], 0.5);
+}
+
+/// Of stairs and ramps of the load no coefficient is told, for no load is that of the rate; noise of a load is none of both.
+#[test]
+fn a_load_that_changes_is_refused() {
+    let log = |load: &dyn Fn(u32) -> f64| {
+        let mut worn = 0.0;
+        let lines = (0..600u32).map(|row| {
+            worn += 2.5e-3 * load(row);
+            format!("{},{},{}\n", 0.5 * f64::from(row), load(row), worn + 0.02 * noise(row))
+        });
+        told(&format!("distance [m],load [N],wear [um]\n{}", lines.collect::<String>()))
+    };
+    for log in [
+        log(&|row| if row < 300 { 6.0 } else { 10.0 }),
+        log(&|row| if (200..400).contains(&row) { 10.0 } else { 7.0 }),
+        log(&|row| 6.0 + f64::from(row) / 150.0),
+    ] {
+        let why = log.steps[0].refused.as_deref().expect("why");
+        assert!(why.contains("the load goes from"), "{why}");
+        assert!(rows([&log]).is_empty() && with_profile(&log, "p.csv").is_err());
+    }
+    let noisy = log(&|row| 8.0 + 4.0 * noise(row));
+    let k = noisy.steps[0].k_over_area().expect("a coefficient");
+    assert!((k / 5e-9 - 1.0).abs() < 0.01, "{k}");
+}
+
+/// A head has the decimal sign of the readings.
+#[test]
+fn thousands_in_the_head_are_told_by_the_readings() {
+    let text = plain("Nothing;Distance [m];Wear [um]", [10.0, 1.0, 1e-6]).replace(',', ";");
+    let with = |head: &str, text: &str| told(&format!("{head}\n{text}")).steps[0].load;
+    assert_eq!(with("Load : 5,000 N", &text.replace('.', ",")), Some(5.0));
+    assert_eq!(with("Load : 5,000 N", &text), Some(5000.0));
+}
+
+/// Values that stand under no name may be those of any column.
+#[test]
+fn rows_of_another_width_than_their_names_are_refused() {
+    let commas = plain("Load [N];Distance [m];Wear [um]", [10.5, 1.0, 1e-6])
+        .replace('.', ",")
+        .replace(';', ",");
+    let blanks = plain("Load(N) Sliding distance(m) Wear(um)", [10.0, 1.0, 1e-6]).replace(',', " ");
+    let more =
+        plain("Load [N],Distance [m],Wear [um]", [10.0, 1.0, 1e-6]).replace("\n10,", "\n1,10,");
+    for text in [commas, blanks, more] {
+        let wrong = read(&text, &Options::default());
+        assert!(matches!(wrong, Err(Error::Width { line: 2, .. })), "{wrong:?}");
+    }
+}
+
+/// Times of day go on past midnight, which is said with its line.
+#[test]
+fn midnight_is_passed() {
+    let lines = (0..600u32).map(|row| {
+        let time = (86_100 + row) % 86_400;
+        let [hours, minutes, seconds] = [time / 3600, time / 60 % 60, time % 60];
+        let worn = 0.25 * f64::from(row) + 0.02 * noise(row);
+        format!("{hours:02}:{minutes:02}:{seconds:02},0.5,10,{worn}\n")
+    });
+    let log = told(&format!("time,speed [m/s],load [N],wear [um]\n{}", lines.collect::<String>()));
+    assert_eq!(log.steps.len(), 1);
+    has_rate(&log.steps[0], 0.5);
+    let said = |words: &str| log.said.iter().any(|(_, own)| own.contains(words));
+    assert!(said("passes midnight before line 302"), "{:?}", log.said);
+}
+
+/// Where each reading would be a step, as of a distance that counts down, a few lines say so.
+#[test]
+fn a_distance_that_falls_is_said_in_few_lines() {
+    let lines = (0..600).map(|row| format!("10,{},{row}\n", 600 - row));
+    let log = told(&format!("Load [N],Distance [m],Wear [um]\n{}", lines.collect::<String>()));
+    assert!(log.steps.iter().all(|step| step.k_over_area().is_none()));
+    assert!(log.lines().len() < 20, "{:#?}", log.lines());
+}
