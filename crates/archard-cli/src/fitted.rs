@@ -64,15 +64,12 @@ fn fitted(own: &Value) -> Result<Fitted, String> {
     }
     let number = |name: &str| own[name].as_f64();
     let next = match (number("next_test_log_deviation"), number("next_test_degrees_of_freedom")) {
-        (Some(_), Some(degrees)) if degrees < 2.0 => Err(format!(
-            "two tests tell next to nothing of how `{key}` scatters: make a third, or give --sample with a scatter of \
-             your own"
-        )),
+        (Some(_), Some(degrees)) if degrees < 2.0 => {
+            Err(format!("two tests tell next to nothing of how `{key}` scatters"))
+        }
         // Tests that agree exactly scatter by nothing that could be drawn.
         (Some(deviation), Some(degrees)) => Ok([deviation.max(1e-9), degrees]),
-        _ => Err(format!(
-            "one test does not tell how the next one's `{key}` scatters: give --sample with a scatter of your own"
-        )),
+        _ => Err(format!("one test does not tell how the next one's `{key}` scatters")),
     };
     let ends = own["interval_95"].as_array().map(|ends| ends.iter().map(Value::as_f64).collect());
     let ends: Option<Vec<f64>> = ends.unwrap_or_default();

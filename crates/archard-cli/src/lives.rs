@@ -1,4 +1,4 @@
-//! How long parts alike last: the life of a run, and how it scatters as the coefficient of a fit does from test to test.
+//! How lives scatter from part to part: about the life of a run, as the coefficient of a fit does from test to test.
 //!
 //! A life falls with the coefficient of wear, so that the life which a share of parts does not reach is that of the coefficient which the
 //! same share has above it. Where k s alone counts, one run tells all of them; else each takes a run.
@@ -6,7 +6,7 @@
 use std::path::PathBuf;
 
 use archard::motion::Progress;
-use archard::simulation::{Error, Observer, Report, Simulation};
+use archard::simulation::{Error, Simulation};
 use archard_case::output::{Life, Lives};
 use archard_case::{Case, CaseFile, Resolved};
 use archard_lab::next_test;
@@ -67,7 +67,7 @@ impl Told {
     ) -> Result<Foreseen, Failure> {
         let case = &resolved.case;
         let [own] = &self.coefficients[..] else {
-            let why = "two coefficients scatter: `archard sweep CASE --from FIT --samples 200` draws them both".to_owned();
+            let why = "several coefficients scatter: `archard sweep CASE --from FIT --samples 200` draws them all".to_owned();
             return Ok(Foreseen { told: self, by: By::Nothing(why) });
         };
         let own = own.clone();
@@ -85,14 +85,13 @@ impl Told {
         for k in own.ends().into_iter().chain(own.next_of(&TOLD[..2])) {
             follower.begin_before(format!("life of parts with k = {} {}", four(k), own.unit));
             let mut life = Life::until(case.until.clone());
-            let mut shown = Shown { watch: watch.clone(), follower };
             let store = arguments.store();
             let built = laid(k)?;
             let simulation: Simulation = store
                 .as_ref()
                 .map_or_else(|| built.build(), |store| built.build_keeping(store))
                 .map_err(|error| Failure::wrong(error.to_string()))?;
-            simulation.run(&mut [&mut life, &mut shown]).map_err(failed)?;
+            simulation.run(&mut [&mut life, &mut *follower, &mut watch.clone()]).map_err(failed)?;
             runs.push(life.reached().map_or(f64::INFINITY, |reached| reached.progress));
         }
         Ok(Foreseen { told: self, by: By::Runs(runs) })
@@ -130,13 +129,13 @@ impl Foreseen {
             source: self.told.source.display().to_string(),
             interval: None,
             shares: vec![[0.5, median]],
-            untold: own
-                .next
-                .as_ref()
-                .err()
-                .map(|why| why.split(':').next().unwrap_or_default().to_owned()),
+            untold: own.next.as_ref().err().cloned(),
         };
         match &self.by {
+            By::Scale if median.is_infinite() => {
+                let why = "with the median the limit lies beyond the motion: make that longer";
+                lives.untold = Some(why.to_owned());
+            }
             By::Scale => {
                 let of = |k: f64| median * own.median / k;
                 lives.interval = own.interval.map(|[low, high]| [of(high), of(low)]);
@@ -211,22 +210,6 @@ fn similar(mut case: Case) -> Option<String> {
     case.wears_by_k_s().map(|own| own.kind)
 }
 
-/// Who is shown a run before the run.
-struct Shown<'a> {
-    watch: Watch,
-    follower: &'a mut Follower,
-}
-
-impl Observer for Shown<'_> {
-    fn observe(
-        &mut self,
-        report: &Report<'_>,
-    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
-        self.follower.observe(report)?;
-        self.watch.observe(report)
-    }
-}
-
 fn failed(error: Error) -> Failure {
     match error {
         Error::Observer(cause) if cause.is::<Interrupted>() => {
@@ -250,10 +233,10 @@ pub fn lines(lives: &Lives, motion: Progress) -> Vec<(&'static str, String)> {
     });
     let of = |name, share, words: &str| {
         let life = lives.of_share(share)?;
-        Some((name, format!("{}: {words} of parts alike last longer", shown(life))))
+        Some((name, format!("{}: {words} of the parts last longer", shown(life))))
     };
     let untold = lives.untold.as_ref().filter(|why| !why.is_empty());
     let untold = untold.map(|why| ("B10, B1", format!("unknown: {why}")));
-    let early = [of("B10", 0.1, "nine of ten"), of("B1", 0.01, "99 of a hundred")];
+    let early = [of("B10", 0.1, "90 %"), of("B1", 0.01, "99 %")];
     interval.into_iter().chain(early.into_iter().flatten()).chain(untold).collect()
 }

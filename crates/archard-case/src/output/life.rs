@@ -84,7 +84,7 @@ pub struct Reached {
 /// A state before: progress, and each quantity with what is stated of it.
 type Before = (f64, Vec<(f64, Option<f64>)>);
 
-/// How lives scatter among parts alike, by a coefficient that tests told.
+/// How lives scatter from part to part, by a coefficient that tests told.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lives {
     /// The key of the coefficient.

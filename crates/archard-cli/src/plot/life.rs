@@ -1,4 +1,4 @@
-//! How lives of parts alike scatter: the share that has reached its limit over the progress.
+//! How lives scatter from part to part: the share of parts that has reached its limit over the progress.
 
 use serde_json::Value;
 

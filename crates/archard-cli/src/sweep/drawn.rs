@@ -39,7 +39,9 @@ fn samples(fit: &FitFile) -> Result<Vec<String>, String> {
         );
     }
     let one = |own: &fitted::Fitted| {
-        let [deviation, degrees] = own.next.clone()?;
+        let [deviation, degrees] = own.next.clone().map_err(|why| {
+            format!("{why}: make another test, or give --sample with a scatter of your own")
+        })?;
         let (key, median, unit) = (&own.key, own.median, &own.unit);
         Ok(format!("{key}=logstudent({median:e} {unit}, {deviation:e}, {degrees})"))
     };

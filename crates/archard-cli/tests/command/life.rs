@@ -34,7 +34,7 @@ fn lives_scatter_as_the_coefficient_does() {
     put_fit(&dir, KEY, json!([0.3, 4.0]));
     let ran = archard(&dir, &[&["run", "pin_on_disc", "-o", "r"][..], &LIMIT].concat()).success();
     let words = printed(&ran);
-    assert!(words.contains("nine of ten") && words.contains("median life"), "{words}");
+    assert!(words.contains("90 % of the parts") && words.contains("median life"), "{words}");
     let life = life(&dir, "r");
     let median = life["reached"]["distance_m"].as_f64().unwrap();
     let is = |of: &Value, share: f64| {
@@ -65,6 +65,22 @@ fn other_laws_take_a_run_for_each_share() {
     let ratio = told("B10") / told("median");
     assert!((ratio / (-0.3 * 1.533_206_f64).exp() - 1.0).abs() < 0.05, "{life:#}");
     assert!(told("B1") < told("B10"));
+}
+
+/// A limit that the median does not reach within the motion has no lives of other shares, which may be within it or not.
+#[test]
+fn lives_beyond_the_motion_are_unknown() {
+    let dir = TempDir::new().unwrap();
+    put_fit(&dir, KEY, json!([0.3, 4.0]));
+    let far = ["--until", "wear_depth_pin=1mm", "--from", "fit.json"];
+    let ran = archard(&dir, &[&["run", "pin_on_disc", "-o", "r"][..], &far].concat()).success();
+    let words = printed(&ran);
+    assert!(
+        words.contains("unknown: with the median") && !words.contains("of the parts"),
+        "{words}"
+    );
+    let told = &life(&dir, "r")["distribution"];
+    assert!(told["B1"].is_null() && told["interval_95"].is_null(), "{told:#}");
 }
 
 /// One test tells no scatter; another body needs its key; a body that nobody fitted is asked for.

@@ -186,7 +186,7 @@ impl ResultFolder {
         &self.life
     }
 
-    /// Puts down how lives scatter among parts alike, for the summary.
+    /// Puts down how lives scatter from part to part, for the summary.
     pub fn scatter(&mut self, lives: Lives) {
         self.life.scatter(lives);
     }
