@@ -1,7 +1,7 @@
 //! How lives scatter from part to part: about the life of a run, as the coefficient of a fit does from test to test.
 //!
-//! A life falls with the coefficient of wear, so that the life which a share of parts does not reach is that of the coefficient which the
-//! same share has above it. Where k s alone counts, one run tells all of them; else each takes a run.
+//! Where a life falls with the coefficient, the life which a share of parts does not reach is that of the coefficient which the same share
+//! has above it. Where k s alone counts, one run tells all of them; else each takes a run.
 
 use std::path::PathBuf;
 
@@ -64,11 +64,14 @@ impl Told {
         resolved: &Resolved,
         arguments: &Run,
         (watch, follower): (&Watch, &mut Follower),
-    ) -> Result<Foreseen, Failure> {
+    ) -> Result<Option<Foreseen>, Failure> {
         let case = &resolved.case;
+        if case.until.is_empty() {
+            return Ok(None);
+        }
         let [own] = &self.coefficients[..] else {
             let why = "several coefficients scatter: `archard sweep CASE --from FIT --samples 200` draws them all".to_owned();
-            return Ok(Foreseen { told: self, by: By::Nothing(why) });
+            return Ok(Some(Foreseen { told: self, by: By::Nothing(why) }));
         };
         let own = own.clone();
         let laid = |k: f64| laid(case, arguments, &own, k);
@@ -76,13 +79,10 @@ impl Told {
             (similar(laid(own.median)?), similar(laid(2.0 * own.median)?))
             && one == other
         {
-            return Ok(Foreseen { told: self, by: By::Scale });
-        }
-        if case.until.is_empty() {
-            return Ok(Foreseen { told: self, by: By::Nothing(String::new()) });
+            return Ok(Some(Foreseen { told: self, by: By::Scale }));
         }
         let mut runs = vec![];
-        for k in own.ends().into_iter().chain(own.next_of(&TOLD[..2])) {
+        for k in own.tried() {
             follower.begin_before(format!("life of parts with k = {} {}", four(k), own.unit));
             let mut life = Life::until(case.until.clone());
             let store = arguments.store();
@@ -94,7 +94,7 @@ impl Told {
             simulation.run(&mut [&mut life, &mut *follower, &mut watch.clone()]).map_err(failed)?;
             runs.push(life.reached().map_or(f64::INFINITY, |reached| reached.progress));
         }
-        Ok(Foreseen { told: self, by: By::Runs(runs) })
+        Ok(Some(Foreseen { told: self, by: By::Runs(runs) }))
     }
 }
 
@@ -118,10 +118,7 @@ pub struct Foreseen {
 
 impl Foreseen {
     /// How lives scatter about that of the medians.
-    pub fn about(self, life: &Life) -> Option<Lives> {
-        if life.limits().is_empty() {
-            return None;
-        }
+    pub fn about(self, life: &Life) -> Lives {
         let median = life.reached().map_or(f64::INFINITY, |reached| reached.progress);
         let own = &self.told.coefficients[0];
         let mut lives = Lives {
@@ -146,6 +143,12 @@ impl Foreseen {
                         shares.into_iter().zip(k).map(|(share, k)| [share, of(k)]).collect();
                 }
             }
+            By::Runs(runs) if !falls(own, runs, median) => {
+                let key = &own.key;
+                lives.untold = Some(format!(
+                    "the life does not fall with `{key}`; `archard sweep CASE --from FIT --samples 200` draws it"
+                ));
+            }
             By::Runs(runs) => {
                 let (ends, early) = runs.split_at(own.ends().len());
                 lives.interval = <[f64; 2]>::try_from(ends).ok();
@@ -154,14 +157,28 @@ impl Foreseen {
             }
             By::Nothing(why) => lives.untold = Some(why.clone()),
         }
-        Some(lives)
+        lives
     }
+}
+
+/// Whether the life of the smallest coefficient that was tried is longer than that of the largest.
+fn falls(own: &Fitted, runs: &[f64], median: f64) -> bool {
+    let tried = own.tried().into_iter().zip(runs.iter().copied());
+    let mut lives: Vec<(f64, f64)> = tried.chain([(own.median, median)]).collect();
+    lives.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let [longest, shortest] = [lives[0].1, lives[lives.len() - 1].1];
+    longest > shortest || longest.is_infinite() || lives.len() == 1
 }
 
 impl Fitted {
     /// The ends of the interval of the median, from the shorter life to the longer one.
     fn ends(&self) -> Vec<f64> {
         self.interval.map_or(vec![], |[low, high]| vec![high, low])
+    }
+
+    /// The coefficients that take a run each, where the median does not tell the others.
+    fn tried(&self) -> Vec<f64> {
+        self.ends().into_iter().chain(self.next_of(&TOLD[..2])).collect()
     }
 
     /// The coefficients that these shares of the next tests lie above; none where it is not told how they scatter.
@@ -235,8 +252,7 @@ pub fn lines(lives: &Lives, motion: Progress) -> Vec<(&'static str, String)> {
         let life = lives.of_share(share)?;
         Some((name, format!("{}: {words} of the parts last longer", shown(life))))
     };
-    let untold = lives.untold.as_ref().filter(|why| !why.is_empty());
-    let untold = untold.map(|why| ("B10, B1", format!("unknown: {why}")));
+    let untold = lives.untold.as_ref().map(|why| ("B10, B1", format!("unknown: {why}")));
     let early = [of("B10", 0.1, "90 %"), of("B1", 0.01, "99 %")];
     interval.into_iter().chain(early.into_iter().flatten()).chain(untold).collect()
 }

@@ -68,7 +68,7 @@ fn in_folder(
             let small = settled.resolved.case.is_small();
             let resolved = &settled.resolved;
             let foresee = |told: Told| told.foresee(resolved, arguments, (watch, &mut follower));
-            let lives = told.map(foresee).transpose()?;
+            let lives = told.map(foresee).transpose()?.flatten();
             let contact = || contact((settled, lives), watch, follower, (arguments, dir));
             match arguments.threads.is_none() && small {
                 true => one_thread()?.install(contact),
@@ -144,7 +144,7 @@ fn contact(
     });
     let mut life = watch.life();
     // Of a run that failed no life is known.
-    let lives = lives.filter(|_| outcome.is_ok()).and_then(|lives| lives.about(&life));
+    let lives = lives.filter(|_| outcome.is_ok()).map(|lives| lives.about(&life));
     lives.iter().for_each(|lives| life.scatter(lives.clone()));
     let (totals, judged, effort) = finish(watch, lives, outcome)?;
     let page = match arguments.report {

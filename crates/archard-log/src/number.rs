@@ -1,4 +1,4 @@
-//! What stands in a cell: a number with a decimal point or comma, or a time of day.
+//! What stands in a cell: a number with a decimal point or comma, or a time of day; and how numbers are printed.
 
 /// Seconds of a day.
 pub const DAY: f64 = 86_400.0;
@@ -93,6 +93,18 @@ fn days(date: &str) -> Option<f64> {
     // Years begin in March, so that the day of a leap year stands at the end.
     let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
     Some((365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day) as f64)
+}
+
+/// A number with four significant digits.
+pub fn four(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-3..1e5).contains(&size) => {
+            let digits = (3 - size.log10().floor() as i32).max(0) as usize;
+            format!("{value:.digits$}")
+        }
+        _ => format!("{value:.3e}"),
+    }
 }
 
 #[cfg(test)]

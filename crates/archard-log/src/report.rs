@@ -2,18 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::number::four;
 use crate::{Group, Log, Rate, Step};
-
-fn four(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".to_owned(),
-        size if (1e-3..1e5).contains(&size) => {
-            let digits = (3 - size.log10().floor() as i32).max(0) as usize;
-            format!("{value:.digits$}")
-        }
-        _ => format!("{value:.3e}"),
-    }
-}
 
 fn words(rate: &Rate) -> String {
     let [low, high] = rate.interval.map(|end| four(1e6 * end));

@@ -1,6 +1,7 @@
 //! A step of a test: the readings under load and in motion, their rate, friction, jumps and spikes.
 
 use crate::derive::Derived;
+use crate::number::four;
 use crate::rate::{self, FEWEST, Rate};
 use crate::steps::{ends, median, range};
 use crate::table::Table;
@@ -219,7 +220,9 @@ impl Step {
         }
         self.changed.map(|[low, high]| {
             format!(
-                "the load goes from {low:.4} to {high:.4} N in this step, and the rate is of no one load: give the readings of each load a log of their own"
+                "the load goes from {} to {} N in this step, and no single load belongs to the rate: give the readings of each load a log of their own",
+                four(low),
+                four(high)
             )
         })
     }

@@ -356,9 +356,8 @@ fn thousands_in_the_head_are_told_by_the_readings() {
 /// Values that stand under no name may be those of any column.
 #[test]
 fn rows_of_another_width_than_their_names_are_refused() {
-    let commas = plain("Load [N];Distance [m];Wear [um]", [10.5, 1.0, 1e-6])
-        .replace('.', ",")
-        .replace(';', ",");
+    let commas =
+        plain("Load [N];Distance [m];Wear [um]", [10.5, 1.0, 1e-6]).replace(['.', ';'], ",");
     let blanks = plain("Load(N) Sliding distance(m) Wear(um)", [10.0, 1.0, 1e-6]).replace(',', " ");
     let more =
         plain("Load [N],Distance [m],Wear [um]", [10.0, 1.0, 1e-6]).replace("\n10,", "\n1,10,");

@@ -83,6 +83,25 @@ fn lives_beyond_the_motion_are_unknown() {
     assert!(told["B1"].is_null() && told["interval_95"].is_null(), "{told:#}");
 }
 
+/// A friction that nothing depends on scatters no life: which one a share of parts reaches is not told by it.
+#[test]
+fn a_coefficient_that_a_life_does_not_fall_with_is_no_scatter_of_it() {
+    let dir = TempDir::new().unwrap();
+    put_fit(&dir, "friction.coulomb.coefficient", json!([0.3, 4.0]));
+    let path = dir.path().join("fit.json");
+    let mut fit: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    let own = &mut fit["coefficients"][0];
+    own["unit"] = "".into();
+    own["median"] = 0.3.into();
+    own["interval_95"] = json!([0.2, 0.4]);
+    fs::write(&path, fit.to_string()).unwrap();
+    let assumed = ["run", "pin_on_disc", "-o", "r", "--assume", KEY];
+    let ran = archard(&dir, &[&assumed[..], &LIMIT].concat()).success();
+    let words = printed(&ran);
+    assert!(words.contains("the life does not fall with"), "{words}");
+    assert!(life(&dir, "r")["distribution"]["B10"].is_null(), "{words}");
+}
+
 /// One test tells no scatter; another body needs its key; a body that nobody fitted is asked for.
 #[test]
 fn what_is_not_told_is_said() {
