@@ -65,7 +65,7 @@ const ELASTICITIES: [Elasticity; 7] = [
     Elasticity {
         name: "a body with an image field",
         upper: "profile.sphere.radius = \"10 mm\"",
-        lower: "mesh.box.size = [\"4 mm\", \"4 mm\", \"4 mm\"]\nsupports = { bottom = \"clamped\" }",
+        lower: "mesh.box.size = [\"8 mm\", \"4 mm\", \"4 mm\"]\nsupports = { bottom = \"clamped\" }",
         frame: GRID,
         like: true,
     },

@@ -8,24 +8,21 @@ use archard::parameters::Invalid;
 use archard_surface::HeightMap;
 use toml::de::DeTable;
 
-use super::accuracy::{self, Chose};
-use super::check::pace::Pace;
-use super::check::runtime::Runtime;
-use super::check::{self, Forecast};
+use super::accuracy;
+use super::check;
 use super::chosen::Chosen;
-use super::definition::Case;
-use super::elastic::{self, ElasticCase, ElasticForecast};
+use super::elastic;
 use super::key::{Key, Part};
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
+use super::resolved::{Resolved, ResolvedElastic, ResolvedWheelRail, Task};
 use super::surface::PreparedSurface;
 use super::told::{PROBLEMS, told};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
-use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
+use super::wheel_rail;
 use crate::files::{self, Inputs};
-use crate::output::{Inside, elastic_files};
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -47,125 +44,6 @@ pub struct Unreadable {
     /// Why not.
     #[source]
     pub cause: io::Error,
-}
-
-/// A case that can be run.
-#[non_exhaustive]
-#[derive(Debug, Clone)]
-pub struct Resolved {
-    /// The case in SI.
-    pub case: Case,
-    /// Whether its frame was chosen.
-    pub chose: Chose,
-    /// What can be said about it before the run.
-    pub forecast: Forecast,
-    /// What may not be as it was meant.
-    pub warnings: Vec<Problem>,
-}
-
-/// A case of one elastic body that can be computed.
-#[non_exhaustive]
-#[derive(Debug, Clone)]
-pub struct ResolvedElastic {
-    /// The case in SI.
-    pub case: ElasticCase,
-    /// What it will take.
-    pub forecast: ElasticForecast,
-    /// What may not be as it was meant.
-    pub warnings: Vec<Problem>,
-}
-
-/// A case of a wheel on a rail that can be computed.
-#[non_exhaustive]
-#[derive(Debug, Clone)]
-pub struct ResolvedWheelRail {
-    /// The case in SI.
-    pub case: WheelRailCase,
-    /// What the set-up tells.
-    pub forecast: WheelRailForecast,
-    /// What may not be as it was meant.
-    pub warnings: Vec<Problem>,
-}
-
-/// What a case asks for.
-#[derive(Debug, Clone)]
-pub enum Task {
-    /// Two bodies in contact.
-    Contact(Box<Resolved>),
-    /// One elastic body by itself.
-    Elastic(Box<ResolvedElastic>),
-    /// A railway wheel on its rail.
-    WheelRail(Box<ResolvedWheelRail>),
-}
-
-impl Resolved {
-    /// What to expect of the run, and what of its verdict can be foreseen. Bodies with meshes are meshed coarsely for
-    /// it, to be compared with half-spaces.
-    pub fn expectations(&self) -> String {
-        let beside: String =
-            self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
-        let pace = Pace::of(self.forecast.operations);
-        let pace = pace.map_or_else(String::new, |pace| pace.to_string());
-        let time = Runtime::of(&self.case, &self.forecast);
-        let time = time.map_or_else(String::new, |time| time.to_string());
-        let mut text = format!("# What to expect\n\n{}{pace}{time}{beside}", self.forecast);
-        match self.refined() {
-            Some(refined) => text += &refined.to_string(),
-            None if self.chose.size => text += "\nThe size of the frame was chosen.\n",
-            None => {}
-        }
-        let lines = &self.forecast.verdict.lines;
-        if !lines.is_empty() {
-            text += "\n# Verdict foreseen\n\n";
-            lines.iter().for_each(|line| text += &format!("  {}\n", line.in_words()));
-        }
-        text
-    }
-}
-
-impl Task {
-    /// What to expect of the run, in lines.
-    pub fn expectations(&self) -> String {
-        match self {
-            Task::Contact(resolved) => resolved.expectations(),
-            Task::Elastic(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
-            Task::WheelRail(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
-        }
-    }
-
-    /// The case in SI, as a case file.
-    pub fn case_toml(&self) -> String {
-        match self {
-            Task::Contact(resolved) => resolved.case.to_string(),
-            Task::Elastic(resolved) => resolved.case.to_string(),
-            Task::WheelRail(resolved) => resolved.case.to_string(),
-        }
-    }
-
-    /// The files of points and sections that its results have, by their names in the folder; for
-    /// [`Claim::adding`](crate::output::Claim::adding).
-    pub fn files(&self) -> Vec<String> {
-        match self {
-            Task::Contact(resolved) => {
-                let Case { points, sections, bodies, .. } = &resolved.case;
-                let inside = Inside::at(points.clone()).on(sections.clone());
-                inside.files(bodies.each_ref().map(|body| body.name.as_str()))
-            }
-            Task::Elastic(resolved) => {
-                elastic_files(&resolved.case.points, &resolved.case.sections)
-            }
-            Task::WheelRail(resolved) => resolved.case.files(),
-        }
-    }
-
-    /// What may not be as it was meant.
-    pub fn warnings(&self) -> &[Problem] {
-        match self {
-            Task::Contact(resolved) => &resolved.warnings,
-            Task::Elastic(resolved) => &resolved.warnings,
-            Task::WheelRail(resolved) => &resolved.warnings,
-        }
-    }
 }
 
 impl CaseFile {

@@ -44,6 +44,46 @@ fn a_block_becomes_a_half_space_as_it_grows() {
     }
 }
 
+/// A punch pressed into a block of steel with an image field, clamped at its bottom.
+const PUNCHED: &str = r#"
+[body.punch]
+rigid = true
+profile.power = { coefficient = "0.005 1/m", exponent = 2 }
+[body.block]
+material = { young = "210 GPa", poisson = 0.3 }
+mesh.box.size = ["1 m", "1 m", "1 m"]
+supports = { bottom = "clamped" }
+elasticity = "image"
+[frame]
+size = ["0.2 m", "0.2 m"]
+elements = [96, 96]
+[motion.indentation]
+approach = "0.07 mm"
+increments = 1
+"#;
+
+/// Loads extrapolated from meshes around the zone, and from finite elements: of a cube, a slab as thick as the zone is wide, a column
+/// twice as wide as it and a block five times as high as wide. Half-spaces bear 1.80205e6 N.
+#[test]
+fn loads_of_punched_blocks_are_those_of_fine_meshes() {
+    let known = [
+        ([1.0, 1.0, 1.0], 1.8309e6, 5e-4),
+        ([1.0, 1.0, 0.2], 2.8081e6, 1e-3),
+        ([0.4, 0.4, 1.0], 1.1174e6, 1e-3),
+        ([1.0, 1.0, 5.0], 1.0813e6, 1e-3),
+    ];
+    for (size, known, within) in known {
+        let [x, y, z] = size;
+        let size = format!("body.block.mesh.box.size=[\"{x} m\", \"{y} m\", \"{z} m\"]");
+        let simulation = case(PUNCHED, &[&size]);
+        let state = states(&simulation).unwrap().pop().unwrap().0;
+        let missed = simulation.problem.compliance.missed(&state.tractions()).unwrap();
+        assert_relative_eq!(state.load, known, max_relative = within);
+        let off = (state.load / known - 1.0).abs();
+        assert!(off < missed && missed < 5e-3, "{size}: {off} {missed}");
+    }
+}
+
 /// A ball frets on a block and both wear. The image field and a mesh around the zone agree on the forces at the ends of the strokes, on
 /// what is dissipated and on what is worn off; as a half-space the block takes up less of the stroke.
 #[test]

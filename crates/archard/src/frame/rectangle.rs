@@ -31,4 +31,12 @@ impl Rectangle {
     pub fn corner(&self) -> [f64; 2] {
         [0, 1].map(|axis| self.centre[axis] - 0.5 * self.size[axis])
     }
+
+    /// All of its corners (m).
+    pub fn corners(&self) -> [[f64; 2]; 4] {
+        let low = self.corner();
+        let corner =
+            |shares: [f64; 2]| [0, 1].map(|axis| low[axis] + shares[axis] * self.size[axis]);
+        [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(corner)
+    }
 }

@@ -27,7 +27,7 @@ pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
 pub use table::{Row, Table};
 
-use crate::frame::Direction;
+use crate::frame::{Direction, Rectangle};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 /// How the bodies move on each other: answers that do not depend on each other.
@@ -206,9 +206,9 @@ impl Motion {
         let along = self.passing().map(|_| self.direction.axis);
         match (&self.sequence, &self.slip) {
             (Sequence::Cycle(shift), _) => shift.moves_along(),
-            (Sequence::Table(table), _) => [0, 1].map(|axis| {
-                (0..2).any(|body| table.reach(body, axis)[0] < table.reach(body, axis)[1])
-            }),
+            (Sequence::Table(_), _) => {
+                [0, 1].map(|axis| (0..2).any(|body| self.reach(body).size[axis] > 0.0))
+            }
             (_, Slip::Sought(drives)) => {
                 let aside = drives.lateral != Drive::Slip(0.0) || drives.spin != 0.0;
                 [0, 1].map(|axis| axis == self.direction.axis || aside)
@@ -219,6 +219,22 @@ impl Motion {
                 [0, 1].map(|axis| along == Some(axis))
             }
         }
+    }
+
+    /// The offsets (m) by which the surface of a body is moved under the contact: on a stroke, by an amplitude, or as a table says.
+    pub fn reach(&self, body: usize) -> Rectangle {
+        if let Sequence::Table(table) = &self.sequence {
+            let along = [0, 1].map(|axis| table.reach(body, axis));
+            let centre = along.map(|[least, most]| 0.5 * (least + most));
+            return Rectangle { centre, size: along.map(|[least, most]| most - least) };
+        }
+        let mut size = [0.0; 2];
+        size[self.direction.axis] = match self.surfaces[body] {
+            Passage::Swings(amplitude, _) => 2.0 * amplitude,
+            Passage::Passes(Some(track)) if track.strokes => track.length,
+            _ => 0.0,
+        };
+        size.into()
     }
 
     /// Along which direction the surface of a body is worn by one depth, at least far from the ends of a stroke, and which bodies

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::periodic::repeats;
 use super::refusal::Refused;
 use super::setup::Simulation;
+use super::swing::offsets;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact};
 use crate::compliance::{Compliance, HalfSpace, Image, Periodic};
@@ -190,7 +191,8 @@ impl Builder {
         } = self;
         let kernel = |frame: ContactFrame| -> Result<(ContactFrame, Arc<dyn Compliance>), Refused> {
             if bodies.iter().any(Body::has_image) {
-                let compliance = Image::new(bodies.each_ref(), &frame)?;
+                let compliance =
+                    Image::moved(bodies.each_ref(), offsets(&bodies, &motion), &frame)?;
                 return Ok((frame, Arc::new(compliance)));
             }
             let materials = bodies.each_ref().map(|body| body.material.as_ref());

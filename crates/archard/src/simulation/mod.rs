@@ -58,4 +58,5 @@ pub use report::{Kept, Observer, Report};
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle, worn_profile};
 pub use setup::Simulation;
+pub use swing::offsets;
 pub use wider::{Wider, can_widen};

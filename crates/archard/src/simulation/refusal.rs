@@ -285,10 +285,7 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     if motion.lever_arm() == Some(Lever::Radius) && frame.is_line() {
         return refusal("bodies turn about a point, and a line of contact has none", "");
     }
-    if let Some(table) = motion.table()
-        && frame.is_line()
-        && (0..2).any(|body| table.reach(body, 1)[0] < table.reach(body, 1)[1])
-    {
+    if motion.table().is_some() && frame.is_line() && motion.crosses()[1] {
         return refusal("the line of contact lies along y: offsets change along x", "");
     }
     if !motion.surfaces.iter().any(Passage::passes) {

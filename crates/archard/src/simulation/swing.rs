@@ -15,6 +15,8 @@
 
 use super::error::Error;
 use super::position::{Position, Positions, Way, mean};
+use crate::body::Body;
+use crate::frame::Rectangle;
 use crate::friction::Limits;
 use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState, Grid};
@@ -105,20 +107,32 @@ fn stride(motion: &Motion, element: f64, contact: usize) -> usize {
     }
 }
 
+/// The body that keeps its place, and the one that is moved over it: that of the track, or the less curved.
+fn order(bodies: &[Body; 2], motion: &Motion) -> [usize; 2] {
+    let curvature = |body: usize| {
+        let curvatures = bodies[body].curvatures();
+        curvatures.map_or(0.0, |curvatures| curvatures[motion.direction.axis].abs())
+    };
+    match motion.track() {
+        Some(track) => [1 - track.body, track.body],
+        None if curvature(1) > curvature(0) => [1, 0],
+        None => [0, 1],
+    }
+}
+
+/// The offsets (m) by which bodies are moved under the contact: of two that swing past each other, one keeps its place.
+pub fn offsets(bodies: &[Body; 2], motion: &Motion) -> [Rectangle; 2] {
+    let stays = motion.amplitude().map(|_| order(bodies, motion)[0]);
+    [0, 1].map(|body| if stays == Some(body) { [0.0; 2].into() } else { motion.reach(body) })
+}
+
 impl<'a> Swing<'a> {
     /// Of a problem; `None` where surfaces do not swing.
     pub fn of(problem: &'a ContactProblem) -> Option<Self> {
         let motion = &problem.motion;
         let axis = motion.direction.axis;
         let amplitude = motion.amplitude()?;
-        let curvature = |body: usize| {
-            problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
-        };
-        let bodies = match motion.track() {
-            Some(track) => [1 - track.body, track.body],
-            None if curvature(1) > curvature(0) => [1, 0],
-            None => [0, 1],
-        };
+        let bodies = order(&problem.bodies, motion);
         // As far as the amplitude in positions of any stride.
         let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
         let longest = stride(motion, element, frame[axis]);

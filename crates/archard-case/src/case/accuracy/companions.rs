@@ -3,8 +3,8 @@
 use super::increments;
 use crate::case::check::check;
 use crate::case::definition::{Case, Output};
-use crate::case::file::Resolved;
 use crate::case::problem::Severity;
+use crate::case::resolved::Resolved;
 use crate::output::{Life, Limit};
 use archard::accuracy::{Enough, Event, FARTHEST, Failed, Grid, Settled, Unsettled, Watch, settle};
 use archard::parameters::Value;

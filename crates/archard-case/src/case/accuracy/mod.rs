@@ -13,9 +13,9 @@ pub use refined::Refined;
 
 use super::check::Parts;
 use super::definition::{Case, FrameCase, MOST};
-use super::file::Resolved;
 use super::key::Key;
 use super::problem::Problem;
+use super::resolved::Resolved;
 use super::tree::{Entry, Item, Node, Table};
 use archard::accuracy::{COARSEST, FEWEST, TOLERANCE, UNWORN, admitted, has_tip, order};
 use archard::body::Body;

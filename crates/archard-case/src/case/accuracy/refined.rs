@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::case::check::{Parts, Solves, footprint};
-use crate::case::file::Resolved;
+use crate::case::resolved::Resolved;
 use archard::accuracy::{FINER, order};
 
 /// The grid that a run with an accuracy begins with, and the finest that may come next.

@@ -3,7 +3,7 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use archard::motion::{Lever, Table};
+use archard::motion::Lever;
 use archard::simulation::line_of_contact;
 
 /// What is wrong with a line of contact; or with what says that there is one.
@@ -36,9 +36,7 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
         let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
         return Some(Problem::error(key, message));
     }
-    let crosses =
-        |table: &Table| (0..2).any(|body| table.reach(body, 1)[0] < table.reach(body, 1)[1]);
-    if parts.motion.table().is_some_and(crosses) {
+    if parts.motion.table().is_some() && parts.motion.crosses()[1] {
         let message = "the line of contact lies along y: offsets change along x";
         return Some(Problem::error(Key::of(["motion", "table", "file"]), message));
     }

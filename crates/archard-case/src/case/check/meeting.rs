@@ -11,6 +11,7 @@ use archard::compliance::bem::Undetermined;
 use archard::compliance::bem::contact::{ContactError, Meeting};
 use archard::frame::Pairs;
 use archard::motion::Passage;
+use archard::simulation::offsets;
 use archard::simulation::refusal;
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -46,7 +47,8 @@ pub(super) fn of_images(parts: &Parts<'_>) -> Option<Problem> {
         let message = "a body of finite shape has an end: it touches neither along an endless line nor again and again";
         return Some(Problem::error(Key::of(["frame", name]), message));
     }
-    let met = Image::meets(parts.bodies.each_ref(), parts.case.frame.rectangle());
+    let offsets = offsets(&parts.bodies, &parts.motion);
+    let met = Image::meets(parts.bodies.each_ref(), offsets, parts.case.frame.rectangle());
     met.err().map(|error| said(parts, error))
 }
 
@@ -85,6 +87,14 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
             let message = "reaches beyond the flat face of a body of finite shape";
             Problem::error(parts.frame_key("size"), message)
                 .help("make it smaller, or let a mesh say where the body touches: `elasticity = \"boundary_elements\"`")
+        }
+        ContactError::LeavesTheFace { body } => {
+            let message = format!(
+                "moves `{}` until the frame reaches beyond its flat face",
+                bodies[body].name
+            );
+            Problem::error(Key::of(["motion", parts.case.motion.choice.name]), message)
+                .help("move it less, or make it longer")
         }
         ContactError::OffTheSurface(off) => {
             let name = &bodies[off.body].name;

@@ -6,8 +6,9 @@ use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 pub(in crate::case) use crate::files::{available_to_equations, free_memory};
-use archard::body::Elasticity;
 use archard::body::mesh::Shape;
+use archard::body::{Elasticity, Finite};
+use archard::compliance::bem;
 
 /// Share of the free memory beyond which a case is worth a warning.
 const LARGE: f64 = 0.5;
@@ -23,6 +24,9 @@ pub(in crate::case) fn too_large(memory: f64, free: f64) -> Option<Problem> {
 
 const FEWER: &str = "take fewer elements: half as many along both sides take a sixteenth; or halve the body by planes of `symmetry`, each of which leaves a quarter";
 
+/// The same for image fields, whose elements are small beside a zone near an edge.
+const NEAR: &str = "make the box smaller, move the zone away from its edges, or take a mesh around it: `elasticity = \"boundary_elements\"`";
+
 /// The same for files.
 pub(in crate::case) const COARSER: &str = "take fewer `contact.elements` or a smaller box; or mesh the file coarser, in Gmsh by a larger `Mesh.MeshSizeMin` and `Mesh.MeshSizeMax`; or halve the body by planes of `symmetry`";
 
@@ -32,6 +36,14 @@ pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
         return of_body(body, memory);
     }
     let problem = judged(memory, free_memory())?;
+    let equations = |finite: &Finite| bem::memory([Some(super::size(finite)), None]);
+    let mut meshed = parts.meshed();
+    if let Some((body, _)) = meshed.find(|(_, finite)| equations(finite) > 0.5 * memory)
+        && let Some(finite) = &body.finite
+    {
+        let key = Key::of(["body", &body.name, "mesh", finite.mesh.choice.name]);
+        return Some(Problem { key, ..problem }.help(NEAR));
+    }
     let problem =
         Problem { message: problem.message.replace("the equations", "the run"), ..problem };
     let help = "take fewer elements: half as many along both sides take a quarter";

@@ -51,22 +51,18 @@ impl fmt::Display for Surfaces {
 /// A surface that swings or roams so far that its elements are more than a machine holds.
 pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
     let (frame, motion) = (&parts.case.frame, parts.case.motion.choice.name);
-    let (name, reach) = match (parts.motion.table(), parts.motion.amplitude()) {
-        (Some(table), _) => {
-            let reach = |body: usize| [0, 1].map(|axis| table.reach(body, axis));
-            let longer = |one: [[f64; 2]; 2]| one.map(|[least, most]| most - least);
-            let [one, two] = [longer(reach(0)), longer(reach(1))];
-            ("file", if one[0] * one[1] > two[0] * two[1] { one } else { two })
-        }
-        (_, Some(amplitude)) => {
-            let mut reach = [0.0; 2];
-            reach[parts.motion.direction.axis] = 2.0 * amplitude;
-            (if motion == "fretting" { "amplitude" } else { "stroke" }, reach)
-        }
+    let name = match (parts.motion.table(), parts.motion.amplitude()) {
+        (Some(_), _) => "file",
+        (_, Some(_)) if motion == "fretting" => "amplitude",
+        (_, Some(_)) => "stroke",
         _ => return None,
     };
-    let along = |axis: usize| reach[axis] / frame.spacing()[axis] + frame.elements[axis] as f64;
-    let elements = along(0) * along(1);
+    let elements = |body: usize| {
+        let reach = parts.motion.reach(body).size;
+        let along = |axis: usize| reach[axis] / frame.spacing()[axis] + frame.elements[axis] as f64;
+        along(0) * along(1)
+    };
+    let elements = elements(0).max(elements(1));
     (elements > (MOST * MOST) as f64).then(|| {
         let message = format!("the surface that moves under the contact would take {elements:.1e} elements of the frame's size: {:.1e} are the most", (MOST * MOST) as f64);
         Problem::error(Key::of(["motion", motion, name]), message)

@@ -8,7 +8,7 @@ use archard::body::Elasticity;
 use archard::compliance::bem::{Size, image};
 use archard::frame::Rectangle;
 
-use crate::case::definition::{BodyCase, FiniteCase, FrameCase};
+use crate::case::definition::{BodyCase, FiniteCase, FrameCase, NO_IMAGE};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
@@ -97,7 +97,7 @@ impl Reader<'_> {
         Some(bodies)
     }
 
-    /// Whether a frame is the zone of a body with an image field, where both are given.
+    /// Whether a frame lies on the faces of bodies with image fields, and is their zone where both are given.
     pub(super) fn is_the_zone(
         &mut self,
         bodies: Option<&[BodyCase; 2]>,
@@ -106,6 +106,10 @@ impl Reader<'_> {
         let framed = self.framed;
         let images = bodies.into_iter().flatten().filter(|body| framed && body.has_image());
         for body in images {
+            if body.finite.as_ref().is_some_and(|finite| finite.build(frame).is_err()) {
+                self.push(Problem::error(Key::of(["frame", "size"]), NO_IMAGE));
+                return false;
+            }
             let zone = body.finite.as_ref().and_then(FiniteCase::zone);
             if zone.is_some_and(|(size, elements)| {
                 (size, elements) != (frame.size, frame.elements) || frame.centre != [0.0; 2]

@@ -12,9 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Accuracy, Verdict};
 use archard::estimate::Subject;
-use archard::frame::VectorField;
 use archard::motion::{Control, Stepping};
-use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard::problem::ContactProblem;
 use archard::simulation::Report;
 use archard::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 
@@ -72,7 +71,7 @@ impl Evidence {
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
         if report.output {
-            worst(&mut self.missed, problem.compliance.missed(&tractions(state)));
+            worst(&mut self.missed, problem.compliance.missed(&state.tractions()));
         }
         // Frames grow.
         let border = match self.border.take() {
@@ -159,17 +158,6 @@ impl Evidence {
         let balance = balance.into_iter().flatten();
         let lines = lines.into_iter().flatten().chain(balance);
         Verdict { lines: lines.chain(self.limits.lines()).collect() }
-    }
-}
-
-/// All tractions (Pa) of a state.
-fn tractions(state: &ContactState) -> VectorField {
-    let n = state.pressure.clone();
-    match &state.tangential {
-        Some(Tangential { traction: [t1, t2], .. }) => {
-            VectorField { t1: t1.clone(), t2: t2.clone(), n }
-        }
-        None => VectorField { n, ..VectorField::zeros(state.pressure.len()) },
     }
 }
 

@@ -91,6 +91,13 @@ pub(super) struct Fading {
 }
 
 impl Fading {
+    /// Elements that follow the field along an axis of that length (m), symmetric about its middle; of its positive half if it is
+    /// mirrored.
+    pub fn count(self, length: f64, mirrored: bool) -> f64 {
+        let end = self.stretched(0.5 * length);
+        (if mirrored { end } else { 2.0 * end } - 1e-9).ceil().max(1.0)
+    }
+
     /// Elements up to a place (m): the integral of one over their width.
     fn stretched(self, place: f64) -> f64 {
         let Self { middle, distance, share, widest } = self;
@@ -169,7 +176,7 @@ impl Axis {
     /// An axis of that length (m), symmetric about its middle, in elements that follow a field.
     pub fn fading(length: f64, field: Fading, mirrored: bool) -> Self {
         let end = field.stretched(0.5 * length);
-        let count = (if mirrored { end } else { 2.0 * end } - 1e-9).ceil().max(1.0) as usize;
+        let count = field.count(length, mirrored) as usize;
         let place = |step: usize| {
             let share = step as f64 / count as f64;
             let at = if mirrored { share } else { 2.0 * share - 1.0 };

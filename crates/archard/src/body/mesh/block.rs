@@ -97,9 +97,16 @@ impl Shape for Block {
             share: SHARE,
             widest: longest[axis],
         };
-        let [x, y] = [0, 1]
-            .map(|axis| Axis::fading(self.size[axis], field(axis, size[axis]), mirrored[axis]));
-        let depths = Axis::fading_from_zero(self.size[2], field(2, 0.0));
+        let fields = [field(0, size[0]), field(1, size[1]), field(2, 0.0)];
+        let [along, across] =
+            [0, 1].map(|axis| fields[axis].count(self.size[axis], mirrored[axis]));
+        let down = fields[2].count(2.0 * self.size[2], true);
+        // Edges so close are as good as those of the rectangle.
+        if along * across + (along + across) * down > MOST_ELEMENTS as f64 {
+            return None;
+        }
+        let [x, y] = [0, 1].map(|axis| Axis::fading(self.size[axis], fields[axis], mirrored[axis]));
+        let depths = Axis::fading_from_zero(self.size[2], fields[2]);
         let z: Vec<f64> = depths.places.iter().rev().map(|depth| -depth).collect();
         let mut builder = Builder::new(self.size.into_iter().fold(0.0, f64::max));
         let axes = [&x.places[..], &y.places, &z];

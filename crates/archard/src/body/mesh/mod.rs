@@ -118,7 +118,7 @@ pub trait Shape: Debug + Send + Sync {
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
 
     /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that size (m) about the origin; `None` where
-    /// the rectangle lies on no flat face.
+    /// the rectangle lies on no flat face, or an edge is so close that elements beside it are more than any mesh has.
     fn coarse(&self, _size: [f64; 2], _mirrored: [bool; 2], _held: &Supported) -> Option<Meshed> {
         None
     }

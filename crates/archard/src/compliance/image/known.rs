@@ -26,6 +26,8 @@ pub(super) struct Fields {
     pub change: Arc<Mat<f64>>,
     /// What the last degree of the polynomials adds to it (m/N).
     pub last: Arc<Mat<f64>>,
+    /// What it is more where each body is moved to, at the ends of its ways, than in the middle (m/N).
+    pub moved: Vec<Vec<Arc<Mat<f64>>>>,
 }
 
 /// Bodies with image fields.
@@ -45,53 +47,52 @@ struct One {
     finite: Finite,
     fine: Mesh,
     material: Material,
+    /// By how much it is moved under the contact (m).
+    offsets: Rectangle,
 }
 
 impl Known {
-    /// The bodies that have them, on a rectangle.
-    pub fn new(bodies: [&Body; 2], first: Rectangle) -> Self {
+    /// The bodies that have them, moved under the contact by offsets (m), on a rectangle.
+    pub fn new(bodies: [&Body; 2], offsets: [Rectangle; 2], first: Rectangle) -> Self {
         let of = |(which, body): (usize, &Body)| {
             let finite = body.finite.clone()?;
             let material = body.material?;
             let fine = finite.meshed.mesh.divided();
             let imaged = finite.elasticity == Elasticity::Image;
-            imaged.then_some(One { which, finite, fine, material })
+            let offsets = offsets[which];
+            imaged.then_some(One { which, finite, fine, material, offsets })
         };
         let bodies = bodies.into_iter().enumerate().filter_map(of).collect();
         Self { bodies, first, found: Mutex::new(vec![]) }
     }
 
     /// The fields on the first rectangle, or on that one enlarged about its middle until it covers another, as far as the faces reach.
-    /// They follow from the rectangle alone, whatever was asked for before. `None` where a body's face ends before.
+    /// They follow from the rectangle alone, whatever was asked for before.
     ///
     /// # Errors
-    /// If a body is not held, or its equations have no solution.
-    pub fn over(&self, rectangle: Rectangle) -> Result<Option<Fields>, ContactError> {
-        if !self.bodies.iter().all(|one| one.holds(&rectangle)) {
-            return Ok(None);
-        }
+    /// If a body's face ends before, a body is not held, or its equations have no solution.
+    pub fn over(&self, rectangle: Rectangle) -> Result<Fields, ContactError> {
+        self.bodies.iter().try_for_each(|one| one.holds(&rectangle))?;
         let steps = (0..).find(|times| covers(self.enlarged(*times), rectangle)).unwrap_or(0);
         let found = || self.found.lock().unwrap_or_else(PoisonError::into_inner);
         let known = found().iter().find(|(times, _)| *times == steps).cloned();
         if let Some((_, fields)) = known {
-            return Ok(Some(fields));
+            return Ok(fields);
         }
         // Nobody waits meanwhile: threads that wait for others may come here.
         let fields = self.fields(self.within_the_faces(steps))?;
         found().push((steps, fields.clone()));
-        Ok(Some(fields))
+        Ok(fields)
     }
 
-    /// Whether bodies are held and their faces hold the first rectangle.
+    /// Whether bodies are held and their faces hold the first rectangle wherever they are moved.
     pub fn meets(&self) -> Result<(), ContactError> {
         for one in &self.bodies {
             let Finite { meshed, interpolation, mirrored, .. } = &one.finite;
             let surface = Surface::new(&meshed.mesh, *interpolation, *mirrored);
             Conditions::new(&surface, |node| supported(&one.finite, node), &[])
                 .map_err(|cause| ContactError::Undetermined { body: one.which, cause })?;
-            if !one.holds(&self.first) {
-                return Err(ContactError::BesideTheFace);
-            }
+            one.holds(&self.first)?;
         }
         Ok(())
     }
@@ -123,6 +124,7 @@ impl Known {
         let polynomials = Polynomials::new(rectangle, degree);
         let size = 3 * polynomials.degrees().len();
         let (mut sum, mut change) = (Mat::zeros(size, size), Mat::<f64>::zeros(size, size));
+        let mut moved = vec![];
         for one in &self.bodies {
             let wrong = |cause| match cause {
                 NoImage::Undetermined(cause) => {
@@ -131,8 +133,13 @@ impl Known {
                 NoImage::Unsolved(cause) => ContactError::Singular { body: one.which, cause },
             };
             let fine = one.compliance(&one.fine, &polynomials).map_err(wrong)?;
-            let coarse = one.compliance(&one.finite.meshed.mesh, &polynomials).map_err(wrong)?;
-            change += &fine - coarse;
+            let coarse = |polynomials: &Polynomials| {
+                one.compliance(&one.finite.meshed.mesh, polynomials).map_err(wrong)
+            };
+            let middle = coarse(&polynomials)?;
+            let there = |end| Ok(Arc::new(coarse(&Polynomials::new(end, degree))? - &middle));
+            moved.push(one.ends(&rectangle).map(there).collect::<Result<_, ContactError>>()?);
+            change += &fine - &middle;
             sum += fine;
         }
         let degrees = polynomials.degrees();
@@ -141,7 +148,7 @@ impl Known {
             if is_last(row) || is_last(column) { sum[(row, column)] } else { 0.0 }
         });
         let [compliance, change, last] = [sum, change, last].map(Arc::new);
-        Ok(Fields { polynomials: Arc::new(polynomials), compliance, change, last })
+        Ok(Fields { polynomials: Arc::new(polynomials), compliance, change, last, moved })
     }
 }
 
@@ -162,8 +169,28 @@ impl One {
         degree(&finite.meshed.mesh, finite.mirrored, rectangle, MISSED).unwrap_or(MOST_DEGREES)
     }
 
-    fn holds(&self, rectangle: &Rectangle) -> bool {
-        holds(&self.finite.meshed.mesh, self.finite.mirrored, rectangle)
+    /// Whether its face holds a rectangle wherever it is moved.
+    fn holds(&self, rectangle: &Rectangle) -> Result<(), ContactError> {
+        let Finite { meshed, mirrored, .. } = &self.finite;
+        let held = |rectangle: &Rectangle| holds(&meshed.mesh, *mirrored, rectangle);
+        match held(rectangle) {
+            false => Err(ContactError::BesideTheFace),
+            _ if self.ends(rectangle).all(|end| held(&end)) => Ok(()),
+            _ => Err(ContactError::LeavesTheFace { body: self.which }),
+        }
+    }
+
+    /// Where a rectangle of the frame lies on the body at the ends of its ways, as far as it is moved.
+    fn ends(&self, rectangle: &Rectangle) -> impl Iterator<Item = Rectangle> + use<> {
+        let rectangle = *rectangle;
+        let offsets = self.offsets.corners();
+        let differs = move |end: &usize| {
+            offsets[*end] != [0.0; 2] && !offsets[..*end].contains(&offsets[*end])
+        };
+        (0..offsets.len()).filter(differs).map(move |end| {
+            let centre = [0, 1].map(|axis| rectangle.centre[axis] - offsets[end][axis]);
+            Rectangle { centre, ..rectangle }
+        })
     }
 
     /// From where to where the body reaches along an axis (m).

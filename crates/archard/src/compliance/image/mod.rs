@@ -45,22 +45,39 @@ impl Image {
     /// so.
     ///
     /// # Errors
-    /// If a face ends within the frame, a body is not held, or equations have no solution.
+    /// As [`Image::moved`].
     pub fn new(bodies: [&Body; 2], frame: &ContactFrame) -> Result<Self, ContactError> {
+        Self::moved(bodies, [[0.0; 2].into(); 2], frame)
+    }
+
+    /// The same of bodies that are moved under the contact by offsets (m). The field is that in the middle: how it differs at the ends
+    /// of their ways is [missed](Compliance::missed).
+    ///
+    /// # Errors
+    /// If a face ends within the frame, a body is not held, or equations have no solution.
+    pub fn moved(
+        bodies: [&Body; 2],
+        offsets: [Rectangle; 2],
+        frame: &ContactFrame,
+    ) -> Result<Self, ContactError> {
         let materials = bodies.map(|body| body.material.as_ref());
         let layers = bodies.map(|body| &body.layers[..]);
         let half_space = Arc::new(HalfSpace::layered(materials, layers, frame));
-        let known = Arc::new(Known::new(bodies, frame.rectangle()));
-        let fields = known.over(frame.rectangle())?.ok_or(ContactError::BesideTheFace)?;
+        let known = Arc::new(Known::new(bodies, offsets, frame.rectangle()));
+        let fields = known.over(frame.rectangle())?;
         Ok(Self::of(half_space, known, fields, frame))
     }
 
-    /// Whether bodies with image fields are held, and their faces hold a rectangle.
+    /// Whether bodies with image fields are held, and their faces hold a rectangle, moved under the contact by offsets (m).
     ///
     /// # Errors
     /// If they are not.
-    pub fn meets(bodies: [&Body; 2], rectangle: Rectangle) -> Result<(), ContactError> {
-        Known::new(bodies, rectangle).meets()
+    pub fn meets(
+        bodies: [&Body; 2],
+        offsets: [Rectangle; 2],
+        rectangle: Rectangle,
+    ) -> Result<(), ContactError> {
+        Known::new(bodies, offsets, rectangle).meets()
     }
 
     fn of(
@@ -106,12 +123,12 @@ impl Compliance for Image {
         true
     }
 
-    /// What halving the elements of the bodies changed, and the last degree of the polynomials adds.
+    /// What halving the elements of the bodies changed, the last degree of the polynomials adds, and moving the bodies changes.
     fn missed(&self, tractions: &VectorField) -> Option<f64> {
         let displacements = self.apply(tractions);
         let largest = |field: &VectorField| {
             let of = |pair: usize| field.components().map(|along| along[pair] * along[pair]);
-            let squares = (0..field.n.len()).filter(|pair| tractions.n[*pair] > 0.0).map(of);
+            let squares = (0..field.n.len()).filter(|pair| tractions.n[*pair] != 0.0).map(of);
             squares.map(|own| own.iter().sum::<f64>()).fold(0.0, f64::max).sqrt()
         };
         let of = |compliance: &Arc<Mat<f64>>| {
@@ -120,7 +137,9 @@ impl Compliance for Image {
             largest(&changes)
         };
         let all = largest(&displacements);
-        (all > 0.0).then(|| (of(&self.fields.change) + of(&self.fields.last)) / all)
+        let Fields { change, last, moved, .. } = &self.fields;
+        let moved = moved.iter().map(|ends| ends.iter().map(of).fold(0.0, f64::max)).sum::<f64>();
+        (all > 0.0).then(|| (of(change) + of(last) + moved) / all)
     }
 
     fn at_the_rim(&self, pressure: &[f64]) -> f64 {
@@ -156,7 +175,7 @@ impl Compliance for Image {
 
     fn on(&self, frame: &ContactFrame) -> Option<Arc<dyn Compliance>> {
         let half_space = self.half_space.part(frame.elements());
-        let fields = self.known.over(frame.rectangle()).ok()??;
+        let fields = self.known.over(frame.rectangle()).ok()?;
         Some(Arc::new(Self::of(half_space, Arc::clone(&self.known), fields, frame)))
     }
 

@@ -1,11 +1,11 @@
 use approx::assert_relative_eq;
 
-use super::super::bem::contact::{Contact, condense};
+use super::super::bem::contact::{Contact, ContactError, condense};
 use super::{Compliance, Image};
 use crate::body::mesh::{MESHES, Shape, Supported};
 use crate::body::profile::{AxisymmetricPower, Flat};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Support};
-use crate::frame::{ContactFrame, Direction, Part, VectorField};
+use crate::frame::{ContactFrame, Direction, Part, Rectangle, VectorField};
 use crate::parameters::{Value, Values};
 
 /// The side of the zone (m).
@@ -191,4 +191,39 @@ fn image_fields_of_two_bodies_add_up() {
             assert_relative_eq!(*both, one + other, epsilon = 2e-4 * first.n[0].abs());
         }
     }
+}
+
+/// Even pressure on a block that is moved: what is missed grows by what the field at the ends of its way differs from that in the middle,
+/// and a way past the end of the face is refused.
+#[test]
+fn what_is_missed_holds_what_moving_a_body_changes() {
+    let bodies = [punch(), block([1.0, 0.6, 0.5], None)];
+    let at = |x: f64| {
+        let rectangle = Rectangle { centre: [x, 0.0], size: [ZONE; 2] };
+        ContactFrame::uniform(rectangle, [16; 2], [&Flat, &Flat]).unwrap()
+    };
+    let moved = |way: f64| {
+        let offsets = [Rectangle::from([0.0; 2]), Rectangle::from([2.0 * way, 0.0])];
+        Image::moved(bodies.each_ref(), offsets, &at(0.0))
+    };
+    let even = VectorField { n: vec![1.0; 256], ..VectorField::zeros(256) };
+    let still = Image::new(bodies.each_ref(), &at(0.0)).unwrap();
+    let here = still.apply(&even);
+    let largest = |field: &VectorField| {
+        let size = |pair: usize| field.components().map(|along| along[pair].powi(2)).iter().sum();
+        (0..256).map(size).fold(0.0, f64::max).sqrt()
+    };
+    for way in [0.1, 0.3] {
+        let mut change = Image::new(bodies.each_ref(), &at(way)).unwrap().apply(&even);
+        let VectorField { t1, t2, n } = &mut change;
+        for (there, here) in [t1, t2, n].into_iter().zip(here.components()) {
+            there.iter_mut().zip(here).for_each(|(there, here)| *there -= here);
+        }
+        let changed = largest(&change) / largest(&here);
+        let known = still.missed(&even).unwrap();
+        let stated = moved(way).unwrap().missed(&even).unwrap();
+        assert!(changed > 2.0 * known, "{way}: {changed} {known}");
+        assert_relative_eq!(stated, changed + known, max_relative = 0.05);
+    }
+    assert!(matches!(moved(0.41), Err(ContactError::LeavesTheFace { body: 1 })));
 }

@@ -2,7 +2,6 @@
 
 use super::shifted::Solved;
 use super::solve::WarmStart;
-use crate::frame::VectorField;
 use crate::friction::Limits;
 use crate::motion::Station;
 use crate::numerics::vector::map;
@@ -106,7 +105,6 @@ impl History {
         effort: &mut Effort,
     ) -> Result<monolithic::Solution, Error> {
         let problem = &simulation.problem;
-        let pairs = problem.frame.len();
         if self.state.load == 0.0 {
             let apart = self.clone_contact();
             let gap_by_friction = self.opened_by_shift(problem, station);
@@ -114,13 +112,7 @@ impl History {
             let state = &mut self.state;
             (state.gap, state.tangential) = (apart.gap, apart.tangential);
         }
-        let n: Vec<f64> = self.state.pressure.iter().map(|pressure| -pressure).collect();
-        let tangential = self.state.tangential.as_ref();
-        let [t1, t2] = tangential.map_or_else(
-            || [vec![0.0; pairs], vec![0.0; pairs]],
-            |tangential| tangential.traction.clone(),
-        );
-        let traction = VectorField { t1, t2, n };
+        let traction = self.state.tractions();
         effort.applications += 1;
         let displacement = problem.compliance.apply(&traction);
         let approach = self.state.approach;

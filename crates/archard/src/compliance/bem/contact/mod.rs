@@ -95,6 +95,15 @@ pub enum ContactError {
     /// A frame that reaches beyond the flat face of a body.
     #[error("the frame reaches beyond the flat face of a body of finite shape: make it smaller")]
     BesideTheFace,
+    /// A body that is moved until the frame leaves its flat face.
+    #[error(
+        "body {} is moved until the frame reaches beyond its flat face: move it less, or make it longer",
+        .body + 1
+    )]
+    LeavesTheFace {
+        /// The body's index, 0 or 1.
+        body: usize,
+    },
     /// A profile that ends within the frame.
     #[error(transparent)]
     OffTheSurface(#[from] OffTheSurface),

@@ -67,13 +67,11 @@ pub fn degree(
     rectangle: &Rectangle,
     tolerance: f64,
 ) -> Option<usize> {
-    let [low, size] = [rectangle.corner(), rectangle.size];
     let signs = |mirrored: bool| if mirrored { vec![1.0, -1.0] } else { vec![1.0] };
     let [along_x, along_y] = mirrored.map(signs);
     let images = along_x.iter().flat_map(|x| along_y.iter().map(|y| DVec3::new(*x, *y, 1.0)));
     let images: Vec<DVec3> = images.collect();
-    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
-        .map(|[x, y]| DVec3::new(low[0] + x * size[0], low[1] + y * size[1], 0.0));
+    let corners = rectangle.corners().map(|[x, y]| DVec3::new(x, y, 0.0));
     let nearest = (0..mesh.faces.len()).flat_map(|face| {
         let (place, normal) = (DVec3::from(mesh.centre(face)), DVec3::from(mesh.area_vector(face)));
         let normal = normal.normalize_or_zero();
