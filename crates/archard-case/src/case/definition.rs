@@ -216,7 +216,7 @@ impl FrameCase {
 }
 
 /// Why a body has no image field.
-pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top";
+pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names";
 
 impl FiniteCase {
     /// The mesh; with an image field a coarse one that knows of no contact.
@@ -225,7 +225,7 @@ impl FiniteCase {
     /// If it cannot be made; that of a checked case can.
     pub fn meshed(&self) -> Result<Meshed, BuildError> {
         if self.elasticity == Elasticity::Image {
-            return self.coarse(self.zone().map_or([0.0; 2], |(size, _)| size));
+            return self.coarse(self.zone().map(|(size, _)| [[0.0; 2], size]));
         }
         Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
     }
@@ -237,6 +237,14 @@ impl FiniteCase {
         supports.map(|(name, support)| (name.clone(), support.holds())).collect()
     }
 
+    /// Whether the body touches with a surface of that name, where an image field says how it deforms.
+    pub(super) fn touches_with(&self, surface: &str) -> bool {
+        match self.mesh.values.word("contact") {
+            Some(named) => named == surface,
+            None => self.mesh.choice.name == "box" && surface == "top",
+        }
+    }
+
     /// The size (m) of the zone that may touch and its pairs along x and y, where the mesh says so: two for each element, as its nodes
     /// would be.
     pub(super) fn zone(&self) -> Option<([f64; 2], [usize; 2])> {
@@ -244,9 +252,9 @@ impl FiniteCase {
         Some((contact.pair("size")?, contact.pair("elements")?.map(|count| 2 * count as usize)))
     }
 
-    /// A coarse mesh of the whole body for an image field of loads on a rectangle of that size (m) about the middle of its face.
-    fn coarse(&self, size: [f64; 2]) -> Result<Meshed, BuildError> {
-        let coarse = self.mesh.build()?.coarse(size, [false; 2], &self.held());
+    /// A coarse mesh of the whole body for an image field of loads on a rectangle of that centre and size (m) of its face, where it is known.
+    fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<Meshed, BuildError> {
+        let coarse = self.mesh.build()?.coarse(rectangle, [false; 2], &self.held());
         coarse.ok_or_else(|| Invalid::new("size", NO_IMAGE).into())
     }
 
@@ -266,15 +274,13 @@ impl FiniteCase {
         let shape = self.mesh.build()?;
         // Image fields are those of whole bodies.
         let (meshed, mirrored) = match self.elasticity {
-            Elasticity::Image => {
-                let reach = |axis: usize| 2.0 * frame.centre[axis].abs() + frame.size[axis];
-                (self.coarse([0, 1].map(reach))?, [false; 2])
-            }
+            Elasticity::Image => (self.coarse(Some([frame.centre, frame.size]))?, [false; 2]),
             _ => (shape.mesh(self.mirrored, &self.held())?, self.mirrored),
         };
-        let curvatures = match meshed.placed {
-            true => meshed.curvatures(self.mirrored),
-            false => shape.curvatures(),
+        let curvatures = match (self.elasticity, meshed.placed) {
+            (Elasticity::Image, _) => Some([0.0; 2]),
+            (_, true) => meshed.curvatures(self.mirrored),
+            (_, false) => shape.curvatures(),
         };
         let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
         let supports = self

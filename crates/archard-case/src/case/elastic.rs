@@ -84,7 +84,7 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
         }
     });
     let unknowns = surface.unknowns();
-    let memory = footprint::BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
+    let memory = footprint::BYTES_OF_THE_PROGRAM + Size { unknowns, ..Size::default() }.memory();
     let long = body.slenderness.and_then(|longest| slender::problem(&case.body, longest));
     let problems = problems.chain(memory::of_body(&case.body, memory)).chain(long).collect();
     let Meshed { mesh, zone, .. } = &body.finite.meshed;

@@ -4,6 +4,8 @@
 #[doc(hidden)]
 pub mod bem;
 mod dense;
+#[doc(hidden)]
+pub mod fem;
 pub mod half_space;
 mod image;
 mod mapped;

@@ -220,7 +220,11 @@ fn size(finite: &Finite) -> Size {
     match finite.elasticity {
         Elasticity::BoundaryElements => size,
         // The last of its meshes has four times as many elements.
-        Elasticity::Image => Size { unknowns: 4 * size.unknowns, contact: 0 },
+        Elasticity::Image => Size::inside(&finite.meshed).unwrap_or(Size {
+            unknowns: 4 * size.unknowns,
+            contact: 0,
+            sparse: false,
+        }),
         Elasticity::HalfSpace => Size { unknowns: 0, ..size },
     }
 }

@@ -77,11 +77,7 @@ impl Reader<'_> {
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
         if finite.elasticity == Elasticity::Image {
-            let meshed = finite.meshed();
-            if let Err(error) = &meshed {
-                self.push(Problem::error(key, error.to_string()));
-            }
-            return meshed.ok();
+            return self.imaged(&key, finite);
         }
         let shape = finite.mesh.build().ok()?;
         let held = finite.held();
@@ -103,13 +99,33 @@ impl Reader<'_> {
                 return None;
             }
         };
-        self.unit(&key, finite, &meshed);
+        self.sound(&key, finite, &meshed).then_some(meshed)
+    }
+
+    /// The coarse mesh of an image field, if it is sound.
+    fn imaged(&mut self, key: &Key, finite: &FiniteCase) -> Option<Meshed> {
+        match finite.meshed() {
+            // What generators make is sound.
+            Ok(meshed) if meshed.volume.is_none() => Some(meshed),
+            Ok(meshed) => self.sound(key, finite, &meshed).then_some(meshed),
+            Err(error) => {
+                self.push(Problem::error(key.clone(), error.to_string()));
+                None
+            }
+        }
+    }
+
+    /// Whether a mesh is the surface of one body.
+    fn sound(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) -> bool {
+        self.unit(key, finite, meshed);
         let mut sound = true;
-        // Generators draw elements out on purpose, away from the zone.
+        // Generators draw elements out on purpose, away from the zone; what is inside has elements of its own.
         let slender = |problem: &MeshProblem| {
-            matches!(problem, MeshProblem::Slender { .. }) && !meshed.placed
+            matches!(problem, MeshProblem::Slender { .. })
+                && (!meshed.placed || meshed.volume.is_some())
         };
-        let problems = meshed.mesh.check(finite.mirrored).into_iter();
+        let mirrored = if meshed.volume.is_some() { [false; 2] } else { finite.mirrored };
+        let problems = meshed.mesh.check(mirrored).into_iter();
         for problem in problems.filter(|problem| !slender(problem)) {
             let message = problem.to_string();
             if problem.is_warning() {
@@ -119,14 +135,17 @@ impl Reader<'_> {
                 self.push(Problem::error(key.clone(), message));
             }
         }
-        sound.then_some(meshed)
+        sound
     }
 
     /// A warning where a file of no unit makes a body larger than most.
     fn unit(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) {
         let [low, high] = meshed.mesh.bounds(0..meshed.mesh.faces.len());
         let longest = (high - low).max_element();
-        if meshed.placed && finite.mesh.values.get("unit").is_none() && longest > LARGE {
+        if finite.mesh.values.get("path").is_some()
+            && finite.mesh.values.get("unit").is_none()
+            && longest > LARGE
+        {
             let message =
                 format!("the body is {longest:.4} m long: its file says nothing of the unit");
             let help = "give `unit = \"mm\"` if its coordinates are in mm, `unit = \"m\"` if it is that large";
@@ -230,7 +249,13 @@ impl Reader<'_> {
                 || "is no surface of the mesh".to_owned(),
                 |meant| format!("is no surface of the mesh; did you mean `{meant}`?"),
             );
-            let help = format!("there are {}", known.join(", "));
+            // Numbers of a file say little: where they lie says more.
+            let listed = meshed.mesh.listed(&meshed.zone);
+            let places: Vec<String> = listed.iter().map(|one| format!("\n  {one}")).collect();
+            let help = match meshed.placed || meshed.volume.is_some() {
+                true => format!("there are{}", places.concat()),
+                false => format!("there are {}", known.join(", ")),
+            };
             self.push(Problem::error(key.child(&entry.name), message).at_name().help(help));
             all = false;
         }

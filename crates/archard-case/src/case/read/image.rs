@@ -28,14 +28,26 @@ const FLAT: &str = "it touches with a flat face, away from its edges";
 /// What speaks against an image field.
 fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'static str> {
     let Ok(coarse) = with.meshed() else {
-        return Some("its zone lies on no flat face that reaches beyond it");
+        return Some(match finite.mesh.values.get("path") {
+            Some(_) => {
+                "its file has no tetrahedra alone, or no flat face along z that nothing holds"
+            }
+            None => "its zone lies on no flat face that reaches beyond it",
+        });
     };
-    if finite.supports.iter().any(|(surface, support)| surface == "top" || support.loads()) {
+    if finite
+        .supports
+        .iter()
+        .any(|(surface, support)| finite.touches_with(surface) || support.loads())
+    {
         return Some("something else than the contact loads it, or holds the face that touches");
     }
     let Some((size, pairs)) = finite.zone().filter(|_| !framed) else {
         return (!framed || finite.zone().is_some()).then_some("its mesh says where it touches");
     };
+    if coarse.volume.is_some() {
+        return None;
+    }
     let degree = image::degree(&coarse.mesh, [false; 2], &Rectangle::from(size), image::MISSED);
     let polynomials = degree.map_or(usize::MAX, |degree| (degree + 1) * (degree + 2) / 2);
     if polynomials > pairs[0] * pairs[1] {
@@ -46,7 +58,7 @@ fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'sta
         Size::at_least(shape.at_least(finite.mirrored, &finite.held()), finite.interpolation);
     // The coarse mesh is halved once.
     let unknowns = 4 * Size::of(&coarse, finite.interpolation).unknowns;
-    let fine = Size { unknowns, contact: 0 };
+    let fine = Size { unknowns, ..Size::default() };
     let less = "a mesh around so few elements takes less than an image field";
     (fine.operations() > dense.operations()).then_some(less)
 }
@@ -63,9 +75,12 @@ impl Reader<'_> {
         let asks = |name| matches!(output, Some(Item::Table(table)) if table.get(name).is_some());
         let inside = asks("points") || asks("sections");
         for body in bodies.iter().filter(|body| body.has_image()) {
-            let supports = body.finite.iter().flat_map(|finite| &finite.supports);
-            for (surface, support) in supports {
-                if support.loads() || surface == "top" {
+            let supports = body
+                .finite
+                .iter()
+                .flat_map(|finite| finite.supports.iter().map(move |support| (finite, support)));
+            for (finite, (surface, support)) in supports {
+                if support.loads() || finite.touches_with(surface) {
                     let message = "an image field is that of loads on the contact alone: leave this out, or give \
                                    `elasticity = \"boundary_elements\"`";
                     self.push(Problem::error(

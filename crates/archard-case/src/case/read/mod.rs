@@ -53,7 +53,12 @@ impl Reader<'_> {
             (None, None) if meshed => None,
             (Some((key, _)), _) if meshed => {
                 let message = "the pairs are the nodes of the mesh: leave the frame out";
-                self.push(Problem::error(key, message).at_name());
+                let mut why = bodies.iter().flatten().filter_map(|body| body.finite.as_ref()?.why);
+                let problem = Problem::error(key, message).at_name();
+                self.push(match why.next() {
+                    Some(why) => problem.help(format!("no image field: {why}")),
+                    None => problem,
+                });
                 None
             }
             (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),

@@ -62,7 +62,7 @@ impl Shape for Block {
             }
             Layout::Even(_) => Zone::default(),
         };
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false })
+        Ok(Meshed { mesh: builder.finish(), zone, placed: false, volume: None })
     }
 
     fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize {
@@ -82,7 +82,14 @@ impl Shape for Block {
         (0..3).filter(|&axis| self.bends(axis, held)).map(beside).reduce(f64::max)
     }
 
-    fn coarse(&self, size: [f64; 2], mirrored: [bool; 2], held: &Supported) -> Option<Meshed> {
+    fn coarse(
+        &self,
+        rectangle: Option<[[f64; 2]; 2]>,
+        mirrored: [bool; 2],
+        held: &Supported,
+    ) -> Option<Meshed> {
+        let [centre, size] = rectangle.unwrap_or_default();
+        let size = [0, 1].map(|axis| 2.0 * centre[axis].abs() + size[axis]);
         let [beside_x, beside_y] = [0, 1].map(|axis| 0.5 * (self.size[axis] - size[axis]));
         if beside_x <= 0.0 || beside_y <= 0.0 {
             return None;
@@ -111,7 +118,7 @@ impl Shape for Block {
         let mut builder = Builder::new(self.size.into_iter().fold(0.0, f64::max));
         let axes = [&x.places[..], &y.places, &z];
         tensor::block(&mut builder, axes, mirrored, SIDES, |place| place);
-        Some(Meshed { mesh: builder.finish(), zone: Zone::default(), placed: false })
+        Some(Meshed { mesh: builder.finish(), zone: Zone::default(), placed: false, volume: None })
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {

@@ -27,16 +27,20 @@ mod shells;
 mod smooth;
 mod sphere;
 mod tensor;
+pub mod tetrahedron;
 mod thickness;
+mod volume;
 
 pub use check::MeshProblem;
 pub use file::{Fault, MeshFileError, Place};
 pub use free::Supported;
 pub use listed::Listed;
+pub use volume::{Inverted, Volume};
 
 pub use curvatures::axes;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::parameters::{Choice, Invalid};
 
@@ -100,6 +104,8 @@ pub struct Meshed {
     /// Whether the coordinates are the body's true place (files). Otherwise the body lies below z = 0,
     /// the centre of the zone at the origin, the outward normal there along z.
     pub placed: bool,
+    /// What is inside, its surface triangle by triangle that of the mesh; where a file says.
+    pub volume: Option<Arc<Volume>>,
 }
 
 /// A body whose surface can be divided into elements.
@@ -117,9 +123,14 @@ pub trait Shape: Debug + Send + Sync {
     /// The longest element along a free span beside the thickness that bends there; `None` where nothing bends.
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
 
-    /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that size (m) about the origin; `None` where
-    /// the rectangle lies on no flat face, or an edge is so close that elements beside it are more than any mesh has.
-    fn coarse(&self, _size: [f64; 2], _mirrored: [bool; 2], _held: &Supported) -> Option<Meshed> {
+    /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that centre and size (m), or on one
+    /// that is not known yet, below z = 0; `None` where the rectangle lies on no flat face, or an edge is so close that elements beside it are more than any mesh has.
+    fn coarse(
+        &self,
+        _rectangle: Option<[[f64; 2]; 2]>,
+        _mirrored: [bool; 2],
+        _held: &Supported,
+    ) -> Option<Meshed> {
         None
     }
 

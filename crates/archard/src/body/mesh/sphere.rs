@@ -89,7 +89,7 @@ impl Shape for Sphere {
             }
             builder.turn(first);
         }
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false })
+        Ok(Meshed { mesh: builder.finish(), zone, placed: false, volume: None })
     }
 
     fn at_least(&self, mirrored: [bool; 2], _held: &Supported) -> usize {

@@ -1,16 +1,17 @@
 //! The image fields of two bodies on rectangles of their faces, found once each.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use faer::Mat;
 
-use crate::body::mesh::Mesh;
+use crate::body::mesh::{Mesh, Volume};
 use crate::body::{Body, Elasticity, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, supported};
 use crate::compliance::bem::image::{
     Imaged, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, holds,
 };
 use crate::compliance::bem::{Conditions, Surface};
+use crate::compliance::fem::{ImageField, Solid};
 use crate::frame::Rectangle;
 
 /// How much larger rectangles become: as frames do that grow at each side by an eighth. A choice of cost.
@@ -40,15 +41,30 @@ pub(super) struct Known {
     found: Mutex<Vec<(u32, Fields)>>,
 }
 
-/// A body and its meshes, the second of elements half as long.
+/// A body and what finds its field.
 #[derive(Debug)]
 struct One {
     which: usize,
     finite: Finite,
-    fine: Mesh,
+    engine: Engine,
     material: Material,
     /// By how much it is moved under the contact (m).
     offsets: Rectangle,
+}
+
+/// What finds the field of a body.
+#[derive(Debug)]
+enum Engine {
+    /// Boundary elements on its surface: the mesh of elements half as long.
+    Surface(Mesh),
+    /// Finite elements inside it, which are factorised once.
+    Volume(Arc<Volume>, OnceLock<Solid>),
+}
+
+/// A field, and what half the elements or cubic functions change in it (m/N).
+struct Found {
+    compliance: Mat<f64>,
+    change: Mat<f64>,
 }
 
 impl Known {
@@ -57,10 +73,13 @@ impl Known {
         let of = |(which, body): (usize, &Body)| {
             let finite = body.finite.clone()?;
             let material = body.material?;
-            let fine = finite.meshed.mesh.divided();
             let imaged = finite.elasticity == Elasticity::Image;
+            let engine = match &finite.meshed.volume {
+                Some(volume) => Engine::Volume(Arc::clone(volume), OnceLock::new()),
+                None => Engine::Surface(finite.meshed.mesh.divided()),
+            };
             let offsets = offsets[which];
-            imaged.then_some(One { which, finite, fine, material, offsets })
+            imaged.then_some(One { which, finite, engine, material, offsets })
         };
         let bodies = bodies.into_iter().enumerate().filter_map(of).collect();
         Self { bodies, first, found: Mutex::new(vec![]) }
@@ -126,21 +145,13 @@ impl Known {
         let (mut sum, mut change) = (Mat::zeros(size, size), Mat::<f64>::zeros(size, size));
         let mut moved = vec![];
         for one in &self.bodies {
-            let wrong = |cause| match cause {
-                NoImage::Undetermined(cause) => {
-                    ContactError::Undetermined { body: one.which, cause }
-                }
-                NoImage::Unsolved(cause) => ContactError::Singular { body: one.which, cause },
-            };
-            let fine = one.compliance(&one.fine, &polynomials).map_err(wrong)?;
-            let coarse = |polynomials: &Polynomials| {
-                one.compliance(&one.finite.meshed.mesh, polynomials).map_err(wrong)
-            };
-            let middle = coarse(&polynomials)?;
-            let there = |end| Ok(Arc::new(coarse(&Polynomials::new(end, degree))? - &middle));
+            let found = one.found(&polynomials)?;
+            let middle = one.coarse(&polynomials, Some(&found))?;
+            let there =
+                |end| Ok(Arc::new(one.coarse(&Polynomials::new(end, degree), None)? - &middle));
             moved.push(one.ends(&rectangle).map(there).collect::<Result<_, ContactError>>()?);
-            change += &fine - &middle;
-            sum += fine;
+            change += found.change;
+            sum += found.compliance;
         }
         let degrees = polynomials.degrees();
         let is_last = |place: usize| degrees[place % degrees.len()].iter().sum::<usize>() == degree;
@@ -153,15 +164,69 @@ impl Known {
 }
 
 impl One {
-    /// K on the axes of the frame. Body 2 is turned over, x and y as they are: what is normal changes its sign.
-    fn compliance(&self, mesh: &Mesh, polynomials: &Polynomials) -> Result<Mat<f64>, NoImage> {
+    /// K on the axes of the frame, and by how much it may be off.
+    fn found(&self, polynomials: &Polynomials) -> Result<Found, ContactError> {
+        let (compliance, change) = match &self.engine {
+            Engine::Surface(fine) => {
+                let fine = self.by_surface(fine, polynomials)?;
+                let change = &fine - self.by_surface(&self.finite.meshed.mesh, polynomials)?;
+                (fine, change)
+            }
+            Engine::Volume(volume, solid) => {
+                let ImageField { compliance, change } =
+                    self.solid(volume, solid)?.image(polynomials);
+                (compliance, change)
+            }
+        };
+        Ok(Found { compliance: self.on_the_frame(compliance), change: self.on_the_frame(change) })
+    }
+
+    /// K on the axes of the frame, as well as elements that are not halved find it; what is found already is not found again.
+    fn coarse(
+        &self,
+        polynomials: &Polynomials,
+        found: Option<&Found>,
+    ) -> Result<Mat<f64>, ContactError> {
+        match (&self.engine, found) {
+            (Engine::Surface(_), Some(found)) => Ok(&found.compliance - &found.change),
+            (Engine::Volume(..), Some(found)) => Ok(found.compliance.clone()),
+            (Engine::Surface(_), None) => {
+                let own = self.by_surface(&self.finite.meshed.mesh, polynomials)?;
+                Ok(self.on_the_frame(own))
+            }
+            (Engine::Volume(..), None) => Ok(self.found(polynomials)?.compliance),
+        }
+    }
+
+    fn by_surface(&self, mesh: &Mesh, polynomials: &Polynomials) -> Result<Mat<f64>, ContactError> {
         let imaged = Imaged { finite: &self.finite, mesh, material: &self.material };
-        let own = imaged.compliance(polynomials)?;
+        imaged.compliance(polynomials).map_err(|cause| match cause {
+            NoImage::Undetermined(cause) => ContactError::Undetermined { body: self.which, cause },
+            NoImage::Unsolved(cause) => ContactError::Singular { body: self.which, cause },
+        })
+    }
+
+    fn solid<'a>(
+        &self,
+        volume: &Arc<Volume>,
+        known: &'a OnceLock<Solid>,
+    ) -> Result<&'a Solid, ContactError> {
+        if let Some(solid) = known.get() {
+            return Ok(solid);
+        }
+        // Nobody waits meanwhile: threads that wait for others may come here.
+        let solid = Solid::new(&self.finite, volume, &self.material);
+        let solid = solid.map_err(|cause| ContactError::Singular { body: self.which, cause })?;
+        Ok(known.get_or_init(|| solid))
+    }
+
+    /// The same on the axes of the frame. Body 2 is turned over, x and y as they are: what is normal changes its sign.
+    fn on_the_frame(&self, own: Mat<f64>) -> Mat<f64> {
         let count = own.nrows() / 3;
         let over = |place: usize| self.which == 1 && place / count == 2;
-        Ok(Mat::from_fn(own.nrows(), own.ncols(), |row, column| {
+        Mat::from_fn(own.nrows(), own.ncols(), |row, column| {
             if over(row) == over(column) { own[(row, column)] } else { -own[(row, column)] }
-        }))
+        })
     }
 
     fn degree(&self, rectangle: &Rectangle) -> usize {

@@ -36,7 +36,9 @@ impl fmt::Display for Place {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// Neither of the formats.
-    #[error("is neither a Gmsh mesh nor STL: save the surface as .msh (2.2 or 4.1) or .stl")]
+    #[error(
+        "is neither a Gmsh mesh nor STL nor an input of CalculiX or Abaqus: save the body as .msh (2.2 or 4.1) or .inp, or its surface as .stl"
+    )]
     UnknownFormat,
     /// A version of Gmsh's format that is not read.
     #[error(
@@ -93,6 +95,11 @@ pub enum Fault {
         /// Gmsh's number of the kind.
         kind: u64,
     },
+    /// No tetrahedra, or other volume elements with them.
+    #[error(
+        "the elements are not tetrahedra of 4 or 10 nodes alone (C3D4, C3D10): mesh the body with these, in Gmsh by `gmsh -3 -order 2 -format inp`"
+    )]
+    NoTetrahedra,
     /// A kind of element that is not known.
     #[error("elements of the unknown kind {kind}: save triangles and quadrilaterals only")]
     UnknownKind {

@@ -1,9 +1,12 @@
-//! Surfaces read from files: Gmsh's `.msh` (2.2 and 4.1) and STL, text or binary.
+//! Bodies read from files: Gmsh's `.msh` (2.2 and 4.1) and STL, text or binary, and the input of CalculiX and Abaqus, `.inp`.
 
 mod error;
 mod faces;
 mod gmsh;
+mod inp;
+mod inside;
 mod near;
+mod solid;
 mod source;
 mod stl;
 mod weld;
@@ -17,7 +20,9 @@ use std::f64::consts::PI;
 
 use super::{MOST_OF_A_FILE, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use inside::Inside;
 use near::Near;
+use solid::Solid;
 
 /// Where elements turn by more (rad) is an edge of the body: a cylinder of ten plane strips has none along them, a
 /// chamfer of 45 degrees has two.
@@ -29,7 +34,7 @@ const UNITS: [(&str, f64); 6] =
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
     name: "file",
-    meaning: "a surface from a file: Gmsh's .msh (2.2 or 4.1) or .stl; its coordinates are the true places",
+    meaning: "a body from a file: Gmsh's .msh (2.2 or 4.1), .inp of CalculiX or Abaqus, or its surface as .stl; its coordinates are the true places",
     parameters: &[
         Parameter::required("path", Quantity::File, "the file"),
         Parameter::optional(
@@ -54,7 +59,7 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             values.file("path").ok_or_else(|| Invalid::new("path", "is missing"))?;
         let unit = values.word("unit").unwrap_or("m");
         let scale = UNITS.iter().find(|known| known.0 == unit).map_or(1.0, |known| known.1);
-        let mut mesh =
+        let Solid { mut mesh, inside } =
             parse(bytes).map_err(|error| Invalid::new("path", format!("{name}, {error}")))?;
         if mesh.faces.len() > MOST_OF_A_FILE {
             let count = mesh.faces.len();
@@ -64,40 +69,48 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             return Err(Invalid::new("path", message));
         }
         mesh.vertices.as_flattened_mut().iter_mut().for_each(|value| *value *= scale);
-        let feature_angle = values.number("feature_angle").unwrap_or(FEATURE_ANGLE);
-        if values.get("feature_angle").is_some() {
-            mesh.split(feature_angle, str::to_owned);
-        } else if stl::is_stl(bytes) && mesh.surfaces.len() == 1 {
+        let angle = values.number("feature_angle");
+        let feature_angle = angle.unwrap_or(FEATURE_ANGLE);
+        if angle.is_none() && stl::is_stl(bytes) && mesh.surfaces.len() == 1 {
             mesh.split(feature_angle, |_| "face".to_owned());
+        } else {
+            solid::divide(&mut mesh, angle, FEATURE_ANGLE);
+        }
+        let inside = inside.map(|inside| Inside::new(inside, scale, angle, FEATURE_ANGLE));
+        if let Some(fault) = inside.as_ref().and_then(Inside::fault) {
+            return Err(Invalid::new("path", format!("{name}: {fault}")));
         }
         let contact = match (values.word("contact"), values.section("contact")) {
             (Some(surface), _) => Contact::Surface(mesh.surface(surface)?),
             (_, Some(place)) => Contact::Near(Near::read(place, &mesh)?),
             (None, None) => Contact::None,
         };
-        Ok(Box::new(File { mesh, contact, feature_angle }))
+        Ok(Box::new(File { mesh, inside, contact, feature_angle }))
     },
 };
 
-/// The surface in the bytes of a file, in the file's unit.
+/// What the bytes of a file hold, in the file's unit.
 ///
 /// # Errors
 /// If the bytes are none of the formats, or broken, or hold no surface of straight elements.
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshFileError> {
+fn parse(bytes: &[u8]) -> Result<Solid, MeshFileError> {
     let text = bytes.trim_ascii_start();
     if text.starts_with(b"$") {
         gmsh::parse(bytes)
     } else if stl::is_stl(bytes) {
-        stl::parse(bytes)
+        Ok(Solid { mesh: stl::parse(bytes)?, inside: None })
+    } else if inp::is_inp(bytes) {
+        inp::parse(bytes)
     } else {
         Err(MeshFileError { place: Place::Line(1), fault: Fault::UnknownFormat })
     }
 }
 
-/// A surface from a file, with the part of it that may touch.
+/// A body from a file, with the part of its surface that may touch.
 #[derive(Debug)]
 struct File {
     mesh: Mesh,
+    inside: Option<Inside>,
     contact: Contact,
     /// Elements that turn by more (rad) meet in an edge of the body.
     feature_angle: f64,
@@ -126,11 +139,25 @@ impl Shape for File {
             }
             Contact::Near(near) => near.zone(mesh, self.feature_angle, mirrored)?,
         };
-        Ok(Meshed { mesh, zone, placed: true })
+        Ok(Meshed { mesh, zone, placed: true, volume: None })
     }
 
     fn at_least(&self, _mirrored: [bool; 2], _held: &Supported) -> usize {
         self.mesh.faces.len()
+    }
+
+    fn coarse(
+        &self,
+        rectangle: Option<[[f64; 2]; 2]>,
+        _mirrored: [bool; 2],
+        held: &Supported,
+    ) -> Option<Meshed> {
+        let named = match &self.contact {
+            Contact::None => None,
+            Contact::Surface(surface) => Some(self.mesh.surfaces[*surface].as_str()),
+            Contact::Near(_) => return None,
+        };
+        self.inside.as_ref()?.below(rectangle.map(|[centre, _]| centre), held, named)
     }
 
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {

@@ -6,7 +6,7 @@ mod zone;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
-use super::{Fault, Place, parse};
+use super::{FEATURE_ANGLE, Fault, Inside, Place, Solid, parse};
 use crate::body::mesh::{Corners, MESHES, Mesh, MeshError, Meshed, Supported};
 use crate::parameters::{Invalid, Value, Values};
 
@@ -48,9 +48,9 @@ fn is_the_block(mesh: &Mesh, name: &str) {
 
 #[test]
 fn all_four_kinds_of_gmsh_files_hold_the_same() {
-    let first = parse(&bytes(GMSH[0])).unwrap();
+    let first = parse(&bytes(GMSH[0])).unwrap().mesh;
     for name in GMSH {
-        let mesh = parse(&bytes(name)).unwrap();
+        let mesh = parse(&bytes(name)).unwrap().mesh;
         is_the_block(&mesh, name);
         assert_eq!((mesh.faces.len(), quads(&mesh)), (first.faces.len(), 4), "{name}");
         let mut surfaces = mesh.surfaces.clone();
@@ -62,10 +62,41 @@ fn all_four_kinds_of_gmsh_files_hold_the_same() {
     }
 }
 
+/// Pyramids between quadrilaterals and tetrahedra are no body for finite elements; the surface is read all the same.
 #[test]
-fn volumes_are_left_out() {
-    let mesh = parse(&bytes("volume_4.1_text.msh")).unwrap();
+fn volumes_of_other_elements_are_left_out() {
+    let Solid { mesh, inside } = parse(&bytes("volume_4.1_text.msh")).unwrap();
     is_the_block(&mesh, "volume");
+    assert!(inside.is_none());
+}
+
+/// Two tetrahedra, the second turned over, on each other's side: one body of six sides, written with names in three ways.
+#[test]
+fn inputs_of_calculix_name_sides_by_surfaces_sets_and_nodes() {
+    let nodes = "*Heading\n a body\n*NODE, NSET=all\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1., 0\n4, 0, 0, 1D0\n5, 0, 0, -1\n";
+    let elements = "*ELEMENT, TYPE=C3D4, ELSET=body\n1, 1, 2, 3, 4\n2, 1, 2, 3,\n5\n";
+    let names = "*ELEMENT, type=S3, elset=shell\n7, 1, 3, 4\n*NSET, NSET=below\n1, 2, 5\n\
+                 *ELSET, ELSET=one, GENERATE\n1, 1, 1\n*SURFACE, NAME=slope, TYPE=ELEMENT\none, S3\n2, S3\n** no more\n";
+    let Solid { mesh, inside } = parse(format!("{nodes}{elements}{names}").as_bytes()).unwrap();
+    let (volume, _) = inside.unwrap();
+    assert_eq!((volume.elements.len(), volume.faces.len(), volume.nodes.len()), (2, 6, 5 + 9));
+    assert!((mesh.volume([false; 2]) - 1.0 / 3.0).abs() < 1e-12, "all sides look outwards");
+    let count = |name: &str| {
+        let surface = mesh.surfaces.iter().position(|known| known == name).unwrap();
+        mesh.faces.iter().filter(|face| face.surface == surface).count()
+    };
+    assert_eq!(["slope", "shell", "below"].map(count), [2, 1, 1]);
+    let refused = |text: &str, said: &str| {
+        let error = parse(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    };
+    refused(&format!("{nodes}{elements}9, 1, 2, 3, 77\n"), "vertex 77");
+    refused(&format!("{nodes}*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"), "C3D10");
+    refused(
+        &format!("{nodes}{elements}*NSET, NSET=x\nnobody\n"),
+        "line 14: expected a number or the name",
+    );
+    refused("*NODE\n1, 0, x, 0\n", "line 2: expected a coordinate, found `x`");
 }
 
 #[test]
@@ -85,7 +116,7 @@ fn surfaces_without_group_are_named_by_their_number() {
         })
         .collect();
     let text = text[..start].to_owned() + &lines.join("\n");
-    let mut surfaces = parse(text.as_bytes()).unwrap().surfaces;
+    let mut surfaces = parse(text.as_bytes()).unwrap().mesh.surfaces;
     surfaces.sort();
     let names: Vec<String> = (1..=6).map(|tag| format!("surface {tag}")).collect();
     assert_eq!(surfaces, names);
@@ -93,8 +124,8 @@ fn surfaces_without_group_are_named_by_their_number() {
 
 #[test]
 fn stl_is_welded_and_named_by_its_solids() {
-    let text = parse(&bytes("block_text.stl")).unwrap();
-    let binary = parse(&bytes("block_binary.stl")).unwrap();
+    let text = parse(&bytes("block_text.stl")).unwrap().mesh;
+    let binary = parse(&bytes("block_binary.stl")).unwrap().mesh;
     for (mesh, name) in [(&text, "text"), (&binary, "binary")] {
         is_the_block(mesh, name);
         assert_eq!(quads(mesh), 0);
@@ -133,7 +164,11 @@ fn errors_name_the_line_and_what_to_do() {
     let nodes = format!("{head}$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 x\n$EndNodes\n");
     refused(&nodes, 8, "expected a coordinate, found `x`");
     let nodes = nodes.replace('x', "0");
-    refused(&format!("{nodes}$Elements\n1\n1 9 2 1 1 1 2 3 1 2 3\n"), 12, "Mesh.ElementOrder = 1");
+    refused(
+        &format!("{nodes}$Elements\n1\n1 9 2 1 1 1 2 3 1 2 3\n$EndElements\n"),
+        12,
+        "Mesh.ElementOrder = 1",
+    );
     refused(&format!("{nodes}$Elements\n1\n1 99 2 1 1 1 2 3\n"), 12, "unknown kind 99");
     refused(&format!("{nodes}$Elements\n5\n1 2 2 1 1 1 2 3\n"), 13, "the file ends where");
     refused(&format!("{nodes}$Elements\n1\n1 2 2 1 1 1 2 4\n$EndElements"), 13, "the vertex 4");
@@ -179,8 +214,9 @@ proptest! {
         if !whole {
             bytes.truncate(cut.index(bytes.len()));
         }
-        if let Ok(mesh) = parse(&bytes) {
+        if let Ok(Solid { mesh, inside }) = parse(&bytes) {
             mesh.check([true, false]);
+            inside.map(|inside| Inside::new(inside, 1.0, None, FEATURE_ANGLE).fault());
         }
     }
 }
@@ -215,6 +251,6 @@ fn a_surface_that_is_not_there_is_said_with_those_that_are() {
     assert_eq!(error.parameter, "contact");
     assert!(error.message.contains("no surface `up`; it has `"), "{}", error.message);
     assert!(error.message.contains("`bottom side`"), "{}", error.message);
-    let mesh = parse(&bytes(GMSH[0])).unwrap();
+    let mesh = parse(&bytes(GMSH[0])).unwrap().mesh;
     assert!(matches!(mesh.zone(""), Err(MeshError::NoSurface { .. })));
 }

@@ -119,7 +119,7 @@ mod tests {
         // The four in the middle, all of whose corners have elements all around.
         let zone = Zone { faces: vec![5, 6, 9, 10], grid: None };
         Finite {
-            meshed: Meshed { mesh, zone, placed: true },
+            meshed: Meshed { mesh, zone, placed: true, volume: None },
             curvatures: Some([1.0 / RADIUS; 2]),
             supports: vec![],
             mirrored: [false; 2],

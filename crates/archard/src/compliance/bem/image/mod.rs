@@ -11,12 +11,11 @@
 //! with the body's own u and t, so that nothing is evaluated in the zone. Loads are polynomials on the zone.
 
 mod field;
+mod near;
 mod zone;
 
-use std::sync::OnceLock;
-
 use faer::Mat;
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::contact::supported;
@@ -27,13 +26,11 @@ use crate::body::{Finite, Material};
 use crate::frame::Rectangle;
 use crate::numerics::SAME;
 use crate::numerics::dense::Unsolved;
-use crate::numerics::quadrature::gauss_legendre;
 
-use field::HalfSpaceField;
+use near::on_the_face;
+pub(in crate::compliance) use near::{Columns, Field, NearField};
 pub use zone::Polynomials;
 
-/// Points of a rule along a side at most: places nearer to the zone than they resolve are as good as it.
-const MOST_POINTS: usize = 64;
 /// By how much polynomials may miss an image field, relative to the field: less than elements do.
 pub const MISSED: f64 = 1e-4;
 /// Degrees at most: nearer to an edge an image field is no polynomial.
@@ -128,14 +125,18 @@ impl Imaged<'_> {
         let surface = Surface::new(mesh, finite.interpolation, finite.mirrored);
         let conditions = Conditions::new(&surface, |node| supported(finite, node), &[])?;
         let columns = Columns::new(polynomials, finite.mirrored);
-        let fields = self.fields(&surface, polynomials, &columns);
+        let near = NearField::new(material, polynomials, &columns);
+        let at = |node: &super::TractionNode| {
+            near.off_the_face(node.place, node.normal).unwrap_or_else(|| near.nothing())
+        };
+        let fields: Vec<Field> = surface.traction_nodes().par_iter().map(at).collect();
         let loads = loads(&surface, &conditions, &fields);
         let equations =
             Assembled::under((&surface, &conditions), material, finite.tolerance, &loads)
                 .map_err(Unsolved::from)?;
         let loaded = equations.factorise()?.loaded();
         let work = work(&surface, &conditions, (&fields, &loads, &loaded));
-        let size = 3 * columns.count;
+        let size = 3 * columns.polynomials;
         let mut compliance = Mat::zeros(size, size);
         for (row, &q) in columns.kept.iter().enumerate() {
             for (column, &p) in columns.kept.iter().enumerate() {
@@ -143,124 +144,6 @@ impl Imaged<'_> {
             }
         }
         Ok(compliance)
-    }
-
-    /// Displacements (m) and tractions (Pa) of the half-space at every node of tractions, under every load that is kept.
-    fn fields(
-        &self,
-        surface: &Surface,
-        polynomials: &Polynomials,
-        columns: &Columns,
-    ) -> Vec<Field> {
-        let field = HalfSpaceField::new(self.material);
-        let rectangle = &polynomials.rectangle;
-        let rules: Vec<OnceLock<Rule>> = (0..=MOST_POINTS).map(|_| OnceLock::new()).collect();
-        let at = |node: &super::TractionNode| {
-            if on_the_face(node.place, node.normal) {
-                return Field::nothing(columns.kept.len());
-            }
-            let points = points(zone::ratio(rectangle, node.place), polynomials.degree);
-            let rule = rules[points].get_or_init(|| Rule::new(polynomials, points));
-            rule.field(node.place, node.normal, &field, columns)
-        };
-        surface.traction_nodes().par_iter().map(at).collect()
-    }
-}
-
-/// Whether a node lies on the face of the zone, where the half-space has no traction.
-fn on_the_face(place: DVec3, normal: DVec3) -> bool {
-    normal.z > 1.0 - SAME && place.z.abs() <= SAME * place.length()
-}
-
-/// Points of Gauss along a side that integrate a field of such a ratio, times polynomials, to rounding of single precision: the error
-/// falls by the square of the ratio with each.
-fn points(ratio: f64, degree: usize) -> usize {
-    let digits = f64::from(f32::EPSILON).recip().ln();
-    let points = (0.5 * (digits / ratio.ln() + degree as f64)).ceil() + 1.0;
-    if points.is_finite() { (points as usize).min(MOST_POINTS) } else { MOST_POINTS }
-}
-
-/// The loads that planes of symmetry let be.
-struct Columns {
-    /// Of all polynomials.
-    count: usize,
-    /// Indices d m + i of those that are kept.
-    kept: Vec<usize>,
-}
-
-impl Columns {
-    fn new(polynomials: &Polynomials, mirrored: [bool; 2]) -> Self {
-        let degrees = polynomials.degrees();
-        let count = degrees.len();
-        let symmetric = |&column: &usize| {
-            let (along, degrees) = (column / count, degrees[column % count]);
-            let odd = |axis: usize| degrees[axis] % 2 == usize::from(along == axis);
-            (0..2).all(|axis| !mirrored[axis] || odd(axis))
-        };
-        Self { count, kept: (0..3 * count).filter(symmetric).collect() }
-    }
-}
-
-/// Displacements (m) and tractions (Pa) at a node, one a load.
-struct Field {
-    displacement: Vec<DVec3>,
-    traction: Vec<DVec3>,
-}
-
-impl Field {
-    fn nothing(loads: usize) -> Self {
-        Self { displacement: vec![DVec3::ZERO; loads], traction: vec![DVec3::ZERO; loads] }
-    }
-}
-
-/// Points of Gauss on the zone with the polynomials there, weighed.
-struct Rule {
-    points: Vec<(DVec3, Vec<f64>)>,
-}
-
-impl Rule {
-    fn new(polynomials: &Polynomials, points: usize) -> Self {
-        let along = [0, 1].map(|axis| {
-            let half = 0.5 * polynomials.rectangle.size[axis];
-            let middle = polynomials.rectangle.centre[axis];
-            let point = |(x, weight): (f64, f64)| {
-                let place = middle + half * x;
-                (place, half * weight, polynomials.along(axis, place))
-            };
-            gauss_legendre(points).into_iter().map(point).collect::<Vec<_>>()
-        });
-        let degrees = &polynomials.degrees();
-        let [x, y] = &along;
-        let points = y.iter().flat_map(|(y, across, of_y)| {
-            x.iter().map(move |(x, along, of_x)| {
-                let value = |[i, j]: &[usize; 2]| along * across * of_x[*i] * of_y[*j];
-                (DVec3::new(*x, *y, 0.0), degrees.iter().map(value).collect())
-            })
-        });
-        Self { points: points.collect() }
-    }
-
-    fn field(
-        &self,
-        place: DVec3,
-        normal: DVec3,
-        field: &HalfSpaceField,
-        columns: &Columns,
-    ) -> Field {
-        let mut sums = vec![[DMat3::ZERO; 2]; columns.count];
-        for (point, values) in &self.points {
-            let [displacement, traction] = field.at(place - *point, normal);
-            for (sum, value) in sums.iter_mut().zip(values) {
-                sum[0] += *value * displacement;
-                sum[1] += *value * traction;
-            }
-        }
-        let of = |which: usize| {
-            let kept = columns.kept.iter();
-            kept.map(|column| sums[column % columns.count][which].col(column / columns.count))
-                .collect()
-        };
-        Field { displacement: of(0), traction: of(1) }
     }
 }
 

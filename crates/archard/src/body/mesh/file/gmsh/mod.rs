@@ -9,10 +9,14 @@ mod version_4;
 
 use std::collections::HashMap;
 
-use super::error::{Fault, MeshFileError};
+use super::error::{Fault, MeshFileError, Place};
+use super::solid::{self, Solid};
 use super::source::Source;
 use crate::body::mesh::{Corners, Face, Mesh};
 use elements::{Kind, kind};
+
+/// Gmsh's number of triangles of six nodes, the sides of tetrahedra of ten.
+const SIX_NODES: u64 = 9;
 
 /// What a file holds.
 #[derive(Debug, Default)]
@@ -25,6 +29,12 @@ struct Contents {
     group_of: HashMap<u64, u64>,
     /// The surface elements.
     faces: Vec<Element>,
+    /// The numbers of the nodes of tetrahedra, of which the ten have those on edges in the order of a volume.
+    tetrahedra: Vec<Vec<u64>>,
+    /// Whether there are volume elements of other kinds.
+    others: bool,
+    /// Where a triangle of six nodes stands.
+    curved: Option<Place>,
 }
 
 /// A triangle or quadrilateral with the numbers of its corners.
@@ -45,8 +55,8 @@ enum Part {
     Surface(u64),
 }
 
-/// The surface in the bytes of a file; vertices of no surface element are left out.
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshFileError> {
+/// The surface in the bytes of a file, and what is inside where it is in tetrahedra; vertices of no element are left out.
+pub(super) fn parse(bytes: &[u8]) -> Result<Solid, MeshFileError> {
     let mut source = Source::new(bytes);
     source.behind("$MeshFormat")?;
     let version = source.word("the version")?.to_owned();
@@ -64,7 +74,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshFileError> {
         }
         _ => return Err(source.error(Fault::Version { version })),
     };
-    contents.mesh(&source)
+    contents.solid(&source)
 }
 
 /// Reads the number a binary file begins with, which tells the order of bytes.
@@ -135,20 +145,48 @@ impl Contents {
         }
     }
 
+    /// The surface, and what is inside where it is in tetrahedra alone.
+    fn solid(self, source: &Source<'_>) -> Result<Solid, MeshFileError> {
+        if self.tetrahedra.is_empty() || self.others {
+            if let Some(place) = self.curved {
+                return Err(MeshFileError { place, fault: Fault::HigherOrder { kind: SIX_NODES } });
+            }
+            let mesh = self.mesh(source)?;
+            return Ok(Solid { mesh, inside: None });
+        }
+        let named = self.faces.iter().filter(|element| element.count == 3).map(|element| {
+            let [a, b, c, _] = element.corners;
+            ([a, b, c], self.name(self.part(element)))
+        });
+        let place = |tag: u64| self.nodes.get(&tag).copied();
+        let inside = solid::inside(&self.tetrahedra, place, named.collect());
+        let inside = inside.map_err(|vertex| source.error(Fault::NoVertex { vertex }))?;
+        let mesh = match self.faces.is_empty() {
+            true => inside.1.clone(),
+            false => self.mesh(source)?,
+        };
+        Ok(Solid { mesh, inside: Some(inside) })
+    }
+
+    /// The part of the surface that an element belongs to.
+    fn part(&self, element: &Element) -> Part {
+        match element.part {
+            Part::Surface(tag) => {
+                self.group_of.get(&tag).map_or(element.part, |group| Part::Group(*group))
+            }
+            group => group,
+        }
+    }
+
     /// The mesh, its vertices in the order in which elements name them.
-    fn mesh(self, source: &Source<'_>) -> Result<Mesh, MeshFileError> {
+    fn mesh(&self, source: &Source<'_>) -> Result<Mesh, MeshFileError> {
         if self.faces.is_empty() {
             return Err(source.error(Fault::NoSurface));
         }
         let mut mesh = Mesh::default();
         let (mut vertices, mut parts) = (HashMap::new(), HashMap::new());
         for element in &self.faces {
-            let part = match element.part {
-                Part::Surface(tag) => {
-                    self.group_of.get(&tag).map_or(element.part, |group| Part::Group(*group))
-                }
-                group => group,
-            };
+            let part = self.part(element);
             let surface = *parts.entry(part).or_insert_with(|| {
                 mesh.surfaces.push(self.name(part));
                 mesh.surfaces.len() - 1
@@ -183,33 +221,44 @@ impl Contents {
         }
     }
 
-    /// Reads the corners of an element of that kind and keeps it if it is one of a surface.
+    /// Reads the nodes of an element of that kind and keeps it if it is one of a surface or a tetrahedron.
     fn element(
         &mut self,
         kind: &Kind,
         part: Part,
-        mut corner: impl FnMut() -> Result<u64, MeshFileError>,
+        mut node: impl FnMut() -> Result<u64, MeshFileError>,
     ) -> Result<(), MeshFileError> {
-        let mut corners = [0; 4];
-        for place in 0..kind.nodes {
-            let tag = corner()?;
-            if let Some(corner) = corners.get_mut(place) {
-                *corner = tag;
+        let nodes = (0..kind.nodes).map(|_| node()).collect::<Result<Vec<u64>, _>>()?;
+        match (kind.dimension, nodes.as_slice()) {
+            (2, nodes) => {
+                let count = if nodes.len() == 6 { 3 } else { nodes.len().min(4) };
+                let mut corners = [0; 4];
+                corners[..count].copy_from_slice(&nodes[..count]);
+                self.faces.push(Element { corners, count, part });
             }
-        }
-        if kind.dimension == 2 {
-            self.faces.push(Element { corners, count: kind.nodes, part });
+            (3, &[a, b, c, d]) => self.tetrahedra.push(vec![a, b, c, d]),
+            (3, &[a, b, c, d, ab, bc, ca, ad, cd, bd]) => {
+                self.tetrahedra.push(vec![a, b, c, d, ab, bc, ca, ad, bd, cd]);
+            }
+            (3, _) => self.others = true,
+            _ => {}
         }
         Ok(())
     }
 }
 
 /// The kind of that number, or an error if its elements cannot be used.
-fn usable(number: u64, source: &Source<'_>) -> Result<Kind, MeshFileError> {
+fn usable(
+    number: u64,
+    source: &Source<'_>,
+    contents: &mut Contents,
+) -> Result<Kind, MeshFileError> {
     let Some(kind) = kind(number) else {
         return Err(source.error(Fault::UnknownKind { kind: number }));
     };
-    if kind.dimension == 2 && !matches!(number, 2 | 3) {
+    if number == SIX_NODES {
+        contents.curved.get_or_insert(source.error(Fault::HigherOrder { kind: number }).place);
+    } else if kind.dimension == 2 && !matches!(number, 2 | 3) {
         return Err(source.error(Fault::HigherOrder { kind: number }));
     }
     Ok(kind)

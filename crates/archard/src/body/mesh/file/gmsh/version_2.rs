@@ -42,7 +42,7 @@ fn elements(source: &mut Source<'_>, contents: &mut Contents) -> Result<(), Mesh
             source.size("the number of an element")?;
         }
         let number = source.index("the kind of an element")?;
-        let kind = usable(number, source)?;
+        let kind = usable(number, source, contents)?;
         let alike =
             if source.binary { source.index("the number of elements of a kind")? } else { 1 };
         if alike == 0 {

@@ -85,7 +85,7 @@ fn elements(source: &mut Source<'_>, contents: &mut Contents) -> Result<(), Mesh
         source.int("the dimension of an entity")?;
         let surface = source.int("the number of an entity")?.unsigned_abs();
         let number = source.index("the kind of elements")?;
-        let kind = usable(number, source)?;
+        let kind = usable(number, source, contents)?;
         for _ in 0..source.size("the number of elements")? {
             source.size("the number of an element")?;
             let part = Part::Surface(surface);

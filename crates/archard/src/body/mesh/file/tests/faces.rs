@@ -26,7 +26,7 @@ fn one_solid_falls_apart_into_faces() {
 /// Names that a file already has are not given again.
 #[test]
 fn numbered_faces_keep_clear_of_names() {
-    let mut cube = parse(stl(&cube()).as_bytes()).unwrap();
+    let mut cube = parse(stl(&cube()).as_bytes()).unwrap().mesh;
     cube.surfaces = vec!["a".to_owned(), "a_1".to_owned(), "a_4".to_owned()];
     cube.faces[0].surface = 1;
     cube.faces[1].surface = 1;
@@ -77,7 +77,7 @@ fn a_binary_file_may_begin_with_solid() {
         }
         bytes.extend([0; 2]);
     }
-    assert_eq!(problems(&parse(&bytes).unwrap(), [false; 2]), [""; 0]);
+    assert_eq!(problems(&parse(&bytes).unwrap().mesh, [false; 2]), [""; 0]);
     // Without its last triangle it is neither.
     bytes.truncate(bytes.len() - 50);
     let error = parse(&bytes).unwrap_err().to_string();

@@ -126,7 +126,7 @@ fn open_surfaces_stay_as_they_are_and_gmsh_is_told() {
     triangles.remove(0);
     turn(&mut triangles[5]);
     let mesh = mesh(&triangles, [false; 2]);
-    let plain = parse(stl(&triangles).as_bytes()).unwrap();
+    let plain = parse(stl(&triangles).as_bytes()).unwrap().mesh;
     assert_eq!(mesh.faces.len(), plain.faces.len());
     assert!(mesh.faces.iter().zip(&plain.faces).all(|(one, other)| one.corners == other.corners));
     let said = problems(&mesh, [false; 2]);
@@ -145,7 +145,7 @@ fn corners_that_differ_by_rounding_leave_no_gap() {
     for (index, corner) in triangles.iter_mut().flatten().enumerate() {
         *corner += 1e-15 * index as f64;
     }
-    let plain = parse(stl(&triangles).as_bytes()).unwrap();
+    let plain = parse(stl(&triangles).as_bytes()).unwrap().mesh;
     assert_eq!((plain.vertices.len(), problems(&plain, [false; 2])), (8, vec![]));
 }
 

@@ -1,0 +1,99 @@
+//! Which directions supports hold at the nodes of a volume.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use crate::body::mesh::{Corners, Mesh, Volume};
+use crate::body::{Finite, Support};
+use crate::numerics::SAME;
+
+/// Three directions at right angles, the first of which are held.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Held {
+    pub basis: [DVec3; 3],
+    /// How many of them are held.
+    pub count: usize,
+}
+
+impl Held {
+    pub const FREE: Self = Self { basis: DVec3::AXES, count: 0 };
+
+    /// Of directions that are held, whatever their number.
+    fn of(directions: &[DVec3]) -> Self {
+        let mut basis = vec![];
+        let add = |basis: &mut Vec<DVec3>, direction: DVec3| {
+            let across = |basis: &[DVec3], one: DVec3| {
+                basis.iter().fold(one, |rest, known| rest - rest.dot(*known) * *known)
+            };
+            let rest = across(basis, across(basis, direction));
+            // What is left of a direction that is held already is rounding.
+            if basis.len() < 3 && rest.length() > SAME.sqrt() * direction.length() {
+                basis.push(rest.normalize());
+            }
+        };
+        directions.iter().for_each(|direction| add(&mut basis, *direction));
+        let count = basis.len();
+        DVec3::AXES.into_iter().for_each(|axis| add(&mut basis, axis));
+        Self { basis: [basis[0], basis[1], basis[2]], count }
+    }
+
+    /// The part of a vector along what is held.
+    pub fn held(&self, vector: DVec3) -> DVec3 {
+        self.basis[..self.count].iter().map(|one| vector.dot(*one) * *one).sum()
+    }
+
+    /// The part of a vector along what is free.
+    pub fn free(&self, vector: DVec3) -> DVec3 {
+        self.basis[self.count..].iter().map(|one| vector.dot(*one) * *one).sum()
+    }
+}
+
+/// What is held: of each node of a volume, and of each triangle of its surface.
+pub(super) fn held(finite: &Finite, volume: &Volume) -> [Vec<Held>; 2] {
+    let mesh = &finite.meshed.mesh;
+    let support = |surface: usize| {
+        finite.supports.iter().find(|(own, _)| *own == surface).map(|(_, support)| *support)
+    };
+    // A surface is smooth: its normal at a node is the mean over its triangles there.
+    let mut normals: BTreeMap<(usize, usize), DVec3> = BTreeMap::new();
+    for (face, nodes) in volume.faces.iter().enumerate() {
+        let surface = mesh.faces[face].surface;
+        for node in nodes.iter().filter(|_| support(surface).is_some()) {
+            *normals.entry((*node, surface)).or_default() += normal(mesh, face);
+        }
+    }
+    let mut directions: BTreeMap<usize, Vec<DVec3>> = BTreeMap::new();
+    for ((node, surface), normal) in normals {
+        directions.entry(node).or_default().extend(along(support(surface), normal));
+    }
+    let mut nodes = vec![Held::FREE; volume.nodes.len()];
+    directions.iter().for_each(|(node, directions)| nodes[*node] = Held::of(directions));
+    let faces = (0..volume.faces.len())
+        .map(|face| Held::of(&along(support(mesh.faces[face].surface), normal(mesh, face))));
+    [nodes, faces.collect()]
+}
+
+/// The normal of a triangle of the surface, as long as its area (m^2) doubled.
+fn normal(mesh: &Mesh, face: usize) -> DVec3 {
+    match mesh.faces[face].corners {
+        Corners::Triangle(corners) => {
+            let [a, b, c] = corners.map(|corner| DVec3::from(mesh.vertices[corner]));
+            (b - a).cross(c - a)
+        }
+        Corners::Quad(_) => DVec3::from(mesh.area_vector(face)),
+    }
+}
+
+/// The directions that a support holds on a surface of that normal.
+fn along(support: Option<Support>, normal: DVec3) -> Vec<DVec3> {
+    match support {
+        None => vec![],
+        Some(Support::Roller) => vec![normal],
+        Some(support) => {
+            let holds = support.holds();
+            let axes = DVec3::AXES.into_iter().zip(holds);
+            axes.filter_map(|(axis, holds)| holds.then_some(axis)).collect()
+        }
+    }
+}

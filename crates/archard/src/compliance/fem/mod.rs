@@ -1,0 +1,105 @@
+//! The image field of a body in tetrahedra, by finite elements.
+//!
+//! As [on a surface](super::bem::image), what the ends of a body change of the half-space below its flat zone is smooth, and a mesh that
+//! knows nothing of the zone does. Displacements are quadratic in each tetrahedron; what cubic functions would add to their energy says
+//! how far they are off (P. Deuflhard, P. Leinen and H. Yserentant, IMPACT Comput. Sci. Eng. 1 (1989), 3).
+
+mod held;
+mod image;
+mod stiffness;
+mod surplus;
+#[cfg(test)]
+mod tests;
+mod together;
+mod triangle;
+
+use std::sync::Arc;
+
+use faer::Mat;
+use faer::Side;
+use faer::linalg::solvers::Solve;
+use faer::sparse::linalg::solvers::Llt;
+
+use crate::body::mesh::Volume;
+use crate::body::{Finite, Material};
+use crate::numerics::dense::Unsolved;
+use held::{Held, held};
+use stiffness::Stiffness;
+
+pub use image::ImageField;
+
+/// A body in tetrahedra under its supports, its equations factorised.
+#[derive(Debug)]
+pub struct Solid {
+    volume: Arc<Volume>,
+    material: Material,
+    /// What supports hold, node by node and triangle by triangle of the surface.
+    nodes: Vec<Held>,
+    faces: Vec<Held>,
+    stiffness: Stiffness,
+    /// The number of each free direction of each node among the unknowns.
+    numbers: Vec<[usize; 3]>,
+    factors: Factors,
+}
+
+/// Factors of the equations; none where everything is held.
+struct Factors(Option<Llt<usize, f64>>);
+
+impl std::fmt::Debug for Factors {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Factors")
+    }
+}
+
+impl Solid {
+    /// Of a body that has a volume; its supports hold it and load it nowhere.
+    ///
+    /// # Errors
+    /// If the equations are singular, or there is no memory for them.
+    pub fn new(
+        finite: &Finite,
+        volume: &Arc<Volume>,
+        material: &Material,
+    ) -> Result<Self, Unsolved> {
+        let [nodes, faces] = held(finite, volume);
+        let stiffness = Stiffness::new(volume, material);
+        let (matrix, numbers) = stiffness.between_free(&nodes);
+        let factorised = |matrix: faer::sparse::SparseColMat<usize, f64>| {
+            let size = matrix.ncols();
+            matrix.sp_cholesky(Side::Lower).map_err(|_| Unsolved::Singular { size })
+        };
+        let factors = Factors(matrix.map(factorised).transpose()?);
+        let (volume, material) = (Arc::clone(volume), *material);
+        Ok(Self { volume, material, nodes, faces, stiffness, numbers, factors })
+    }
+
+    /// Displacements (m) under forces (N), where what is held is displaced already: three values a node, one vector a load.
+    fn solve(&self, displacements: &mut [Vec<f64>], forces: &[Vec<f64>]) {
+        let Some(factors) = &self.factors.0 else { return };
+        let unknowns = self.numbers.iter().flatten().filter(|number| **number < usize::MAX).count();
+        let mut sought = Mat::zeros(unknowns, forces.len());
+        let free = || {
+            let nodes = self.nodes.iter().zip(&self.numbers).enumerate();
+            nodes.flat_map(|(node, (held, numbers))| {
+                (held.count..3).map(move |along| (node, held.basis[along], numbers[along]))
+            })
+        };
+        let at =
+            |values: &[f64], node: usize| glam::DVec3::from_slice(&values[3 * node..3 * node + 3]);
+        for (load, (displaced, force)) in displacements.iter().zip(forces).enumerate() {
+            let resisted = self.stiffness.times(displaced);
+            for (node, unit, number) in free() {
+                sought[(number, load)] = (at(force, node) - at(&resisted, node)).dot(unit);
+            }
+        }
+        factors.solve_in_place(&mut sought);
+        for (load, displaced) in displacements.iter_mut().enumerate() {
+            for (node, unit, number) in free() {
+                let more = sought[(number, load)] * unit;
+                for axis in 0..3 {
+                    displaced[3 * node + axis] += more[axis];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+use std::sync::Arc;
+
+use faer::Mat;
+
+use super::Solid;
+use crate::body::mesh::{MESHES, Mesh, Meshed, Shape, Supported, Volume};
+use crate::body::{Elasticity, Finite, Interpolation, Material, Support};
+use crate::compliance::bem::image::{Imaged, Polynomials};
+use crate::frame::Rectangle;
+use crate::parameters::{Value, Values};
+
+/// A block below z = 0 of that size (m), in cubes divided along x, y and z, each in six tetrahedra; the surface is named by its sides.
+pub(crate) fn block(size: [f64; 3], divisions: [usize; 3]) -> Meshed {
+    let [nx, ny, nz] = divisions;
+    let index = |[x, y, z]: [usize; 3]| x + (nx + 1) * (y + (ny + 1) * z);
+    let mut places = vec![];
+    for z in 0..=nz {
+        for y in 0..=ny {
+            for x in 0..=nx {
+                let share = [x as f64 / nx as f64, y as f64 / ny as f64, z as f64 / nz as f64];
+                places.push([
+                    (share[0] - 0.5) * size[0],
+                    (share[1] - 0.5) * size[1],
+                    (share[2] - 1.0) * size[2],
+                ]);
+            }
+        }
+    }
+    // The ways from one corner of a cube to the opposite one along its edges.
+    let ways = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let mut tetrahedra = vec![];
+    for z in 0..nz {
+        for y in 0..ny {
+            for x in 0..nx {
+                for way in ways {
+                    let mut at = [x, y, z];
+                    let mut corners = [index(at); 4];
+                    for (step, axis) in way.into_iter().enumerate() {
+                        at[axis] += 1;
+                        corners[step + 1] = index(at);
+                    }
+                    tetrahedra.push(corners);
+                }
+            }
+        }
+    }
+    let volume = Volume::of_corners(places, &tetrahedra);
+    let names = ["top", "bottom", "sides"].map(str::to_owned).to_vec();
+    let nodes = volume.nodes.clone();
+    let mesh: Mesh = volume.surface(names, |corners| {
+        let all = |level: f64| corners.iter().all(|node| (nodes[*node][2] - level).abs() < 1e-9);
+        if all(0.0) { 0 } else { 1 + usize::from(!all(-size[2])) }
+    });
+    Meshed { mesh, volume: Some(Arc::new(volume)), ..Meshed::default() }
+}
+
+fn finite(meshed: Meshed) -> Finite {
+    let bottom = meshed.mesh.surfaces.iter().position(|name| name == "bottom").unwrap();
+    Finite {
+        meshed,
+        curvatures: Some([0.0; 2]),
+        supports: vec![(bottom, Support::Clamped)],
+        mirrored: [false; 2],
+        interpolation: Interpolation::Discontinuous,
+        tolerance: 1e-6,
+        elasticity: Elasticity::Image,
+    }
+}
+
+const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
+const SIZE: [f64; 3] = [1.0, 0.8, 0.6];
+
+fn polynomials() -> Polynomials {
+    Polynomials::new(Rectangle { centre: [0.05, 0.0], size: [0.2, 0.3] }, 2)
+}
+
+/// K of a block in so many cubes, and what it may be off.
+fn by_volume(divisions: [usize; 3]) -> [Mat<f64>; 2] {
+    let finite = finite(block(SIZE, divisions));
+    let volume = Arc::clone(finite.meshed.volume.as_ref().unwrap());
+    let found = Solid::new(&finite, &volume, &MATERIAL).unwrap().image(&polynomials());
+    [found.compliance, found.change]
+}
+
+/// K of the same block by boundary elements, and what halving them changed.
+fn by_surface() -> [Mat<f64>; 2] {
+    let mut values = Values::default();
+    values.insert("size", Value::Triple(SIZE));
+    let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
+    let shape: Box<dyn Shape> = (choice.build)(&values).unwrap();
+    let held: Supported = [("bottom".to_owned(), [true; 3])].into_iter().collect();
+    let meshed = shape.coarse(Some([[0.05, 0.0], [0.2, 0.3]]), [false; 2], &held).unwrap();
+    let finite = finite(meshed);
+    let of = |mesh: &Mesh| {
+        let imaged = Imaged { finite: &finite, mesh, material: &MATERIAL };
+        imaged.compliance(&polynomials()).unwrap()
+    };
+    let (coarse, fine) = (of(&finite.meshed.mesh), of(&finite.meshed.mesh.divided()));
+    let change = &fine - coarse;
+    [fine, change]
+}
+
+/// Finite elements inside and boundary elements around the same block find one field, along all axes; and they are off by no more than
+/// both say, to a tenth, nor by much less.
+#[test]
+fn image_fields_are_those_of_boundary_elements() {
+    let [known, unknown] = by_surface();
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for divisions in [[5, 4, 3], [10, 8, 6]] {
+        let [found, stated] = by_volume(divisions);
+        for load in 0..known.ncols() {
+            let at = |matrix: &Mat<f64>| matrix[(load, load)];
+            let off = (at(&found) - at(&known)).abs();
+            let share = off / (at(&stated) + at(&unknown).abs());
+            (least, most) = (least.min(off / at(&stated)), most.max(share));
+        }
+    }
+    assert!(most < 1.1 && least > 0.5, "{least} {most}");
+}
