@@ -7,7 +7,7 @@ use super::chosen::Chosen;
 use super::material::MaterialCase;
 use crate::output::{Limit, Store};
 pub(in crate::case) use archard::accuracy::MOST;
-use archard::body::mesh::{MeshError, Meshed, Shape, Supported};
+use archard::body::mesh::{Listed, MeshError, Meshed, Shape, Supported};
 use archard::body::{Body, Elasticity, Finite, Interpolation, Layer, Profile, Support, Thermal};
 use archard::compliance::bem::contact::{self, Condense, Job, condense};
 use archard::compliance::bem::{Making, Told};
@@ -256,6 +256,14 @@ impl FiniteCase {
     fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<Meshed, BuildError> {
         let coarse = self.mesh.build()?.coarse(rectangle, [false; 2], &self.held());
         coarse.ok_or_else(|| Invalid::new("size", NO_IMAGE).into())
+    }
+
+    /// The surfaces of a file, in its own places; `None` of a generated mesh, which has none.
+    pub(super) fn listed(&self) -> Option<Vec<Listed>> {
+        self.mesh.values.get("path")?;
+        let Meshed { mesh, zone, .. } =
+            self.mesh.build().ok()?.mesh(self.mirrored, &self.held()).ok()?;
+        Some(mesh.listed(&zone))
     }
 
     /// The longest element of its mesh along a free span beside the thickness there; `None` where nothing bends.

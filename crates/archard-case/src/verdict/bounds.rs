@@ -284,7 +284,7 @@ pub fn balance(force: f64, moment: f64) -> [Line; 2] {
 /// a tenth of it to nearly all (`loads_of_punched_blocks_are_those_of_fine_meshes`). The bounds are a choice: half of what energies
 /// and volumes may be off is good, and what is wrong of these is wrong here.
 pub fn image(missed: f64) -> Line {
-    let text = "of the displacements are uncertain, by the elements and the degree of an image field and by the way of its body: move the body less; one that stays may take `elasticity = \"boundary_elements\"`";
+    let text = "of the displacements are uncertain, by the elements and the degree of an image field and by the way of its body: mesh a part of a file finer, or move the body less; one that stays may take `elasticity = \"boundary_elements\"`";
     Line::new("image", missed, Bound::AtMost([0.01, 0.1]), text)
 }
 

@@ -12,7 +12,7 @@ use super::words::{length, three};
 use super::{Parts, foreseen, size};
 use crate::case::definition::BodyCase;
 use crate::verdict::Verdict;
-use archard::body::mesh::{Listed, Meshed};
+use archard::body::mesh::Listed;
 use archard::body::{Elasticity, Finite};
 use archard::estimate::{Estimate, Estimator};
 use archard::motion::{Sequence, Stepping};
@@ -120,13 +120,8 @@ fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> 
 
 /// The surfaces of bodies whose mesh is a file.
 fn files(parts: &Parts<'_>) -> Vec<(String, Vec<Listed>)> {
-    let placed = parts.meshed().filter(|(_, finite)| finite.meshed.placed);
-    placed
-        .map(|(body, finite)| {
-            let Meshed { mesh, zone, .. } = &finite.meshed;
-            (body.name.clone(), mesh.listed(zone))
-        })
-        .collect()
+    let of = |body: &BodyCase| Some((body.name.clone(), body.finite.as_ref()?.listed()?));
+    parts.case.bodies.iter().filter_map(of).collect()
 }
 
 impl Solves {

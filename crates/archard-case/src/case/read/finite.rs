@@ -69,7 +69,7 @@ impl Reader<'_> {
             FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity, why };
         let finite = if says { finite } else { image::chosen(finite, self.framed) };
         let meshed = self.meshed(&section, &finite)?;
-        let named = self.named(body, &meshed);
+        let named = self.named(body, &finite, &meshed);
         (read.is_some() && named).then_some(Some(finite))
     }
 
@@ -237,7 +237,7 @@ impl Reader<'_> {
     }
 
     /// Whether the mesh has the surfaces that supports name.
-    fn named(&mut self, body: &Section<'_>, meshed: &Meshed) -> bool {
+    fn named(&mut self, body: &Section<'_>, finite: &FiniteCase, meshed: &Meshed) -> bool {
         let Some((key, entry)) = body.get("supports") else { return true };
         let Item::Table(table) = &entry.node.item else { return true };
         let known: Vec<&str> = meshed.mesh.surfaces.iter().map(String::as_str).collect();
@@ -250,11 +250,12 @@ impl Reader<'_> {
                 |meant| format!("is no surface of the mesh; did you mean `{meant}`?"),
             );
             // Numbers of a file say little: where they lie says more.
-            let listed = meshed.mesh.listed(&meshed.zone);
-            let places: Vec<String> = listed.iter().map(|one| format!("\n  {one}")).collect();
-            let help = match meshed.placed || meshed.volume.is_some() {
-                true => format!("there are{}", places.concat()),
-                false => format!("there are {}", known.join(", ")),
+            let help = match finite.listed() {
+                Some(listed) => {
+                    let places = listed.iter().map(|one| format!("\n  {one}"));
+                    format!("there are{}", places.collect::<String>())
+                }
+                None => format!("there are {}", known.join(", ")),
             };
             self.push(Problem::error(key.child(&entry.name), message).at_name().help(help));
             all = false;

@@ -80,7 +80,7 @@ impl Solid {
         surplus: &mut Surplus,
     ) -> Mat<f64> {
         let (loads, rule) = (forces.len(), points());
-        let mut work = Mat::zeros(loads, loads);
+        let mut work: Mat<f64> = Mat::zeros(loads, loads);
         let faces: Vec<usize> = (0..self.volume.faces.len()).collect();
         for batch in faces.chunks(BATCH) {
             let of_face = |face: &usize| {
@@ -94,31 +94,34 @@ impl Solid {
                 rule.iter().map(at).collect::<Vec<_>>()
             };
             let fields: Vec<_> = batch.par_iter().map(of_face).collect();
-            for (&face, fields) in batch.iter().zip(&fields) {
-                let held = self.faces[face];
-                for (point, field) in rule.iter().zip(fields) {
+            // Displacements, and tractions (N) on what is held and on what is free, three rows a point.
+            let rows = 3 * rule.len() * batch.len();
+            let [mut displaced, mut held, mut freed] = [(); 3].map(|()| Mat::zeros(rows, loads));
+            for (index, (&face, fields)) in batch.iter().zip(&fields).enumerate() {
+                let support = self.faces[face];
+                for (point, (of_point, field)) in rule.iter().zip(fields).enumerate() {
                     let Some((Field { displacement, traction }, area)) = field else { continue };
                     let free: Vec<DVec3> =
-                        traction.iter().map(|traction| -*area * held.free(*traction)).collect();
-                    for (force, back) in forces.iter_mut().zip(&free) {
-                        for (node, share) in self.volume.faces[face].iter().zip(point.nodes) {
+                        traction.iter().map(|traction| -*area * support.free(*traction)).collect();
+                    for (load, back) in free.iter().enumerate() {
+                        let force = &mut forces[load];
+                        for (node, share) in self.volume.faces[face].iter().zip(of_point.nodes) {
                             for axis in 0..3 {
                                 force[3 * node + axis] += share * back[axis];
                             }
                         }
-                    }
-                    surplus.load(face, point, &free);
-                    for (acting, (displaced, pulled)) in
-                        displacement.iter().zip(traction).enumerate()
-                    {
-                        let pulled = *area * held.held(*pulled);
-                        for seeing in 0..loads {
-                            work[(seeing, acting)] +=
-                                pulled.dot(displacement[seeing]) + free[seeing].dot(*displaced);
+                        let pulled = *area * support.held(traction[load]);
+                        for axis in 0..3 {
+                            let row = 3 * (rule.len() * index + point) + axis;
+                            displaced[(row, load)] = displacement[load][axis];
+                            held[(row, load)] = pulled[axis];
+                            freed[(row, load)] = back[axis];
                         }
                     }
+                    surplus.load(face, of_point, &free);
                 }
             }
+            work += displaced.transpose() * &held + freed.transpose() * &displaced;
         }
         work
     }

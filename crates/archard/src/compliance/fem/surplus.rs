@@ -175,14 +175,10 @@ impl Surplus {
             .map(|load| self.residual.iter().skip(load).step_by(self.loads).copied().collect())
             .collect();
         let together = beside_each(solid, &cubic, &even).into_iter().fold(1.0, f64::max);
-        let mut energy: Mat<f64> = Mat::zeros(self.loads, self.loads);
-        for row in rows.iter().filter(|row| !row.is_empty()) {
-            for (q, one) in row.iter().enumerate() {
-                for (p, other) in row.iter().enumerate() {
-                    energy[(q, p)] += one.dot(*other);
-                }
-            }
-        }
+        let there: Vec<&Vec<DVec3>> = rows.iter().filter(|row| !row.is_empty()).collect();
+        let rows: Mat<f64> =
+            Mat::from_fn(3 * there.len(), self.loads, |row, load| there[row / 3][load][row % 3]);
+        let energy = rows.transpose() * &rows;
         energy * faer::Scale(together * further(solid.material.poisson))
     }
 
