@@ -105,9 +105,10 @@ impl Stiffness {
                 for &(pulled, block) in column {
                     let force = block * unit;
                     let first = if pulled == displaced { direction } else { held[pulled].count };
-                    for along in first..3 {
-                        rows.push(numbers[pulled][along]);
-                        values.push(force.dot(held[pulled].basis[along]));
+                    let along = numbers[pulled].into_iter().zip(held[pulled].basis).skip(first);
+                    for (number, direction) in along {
+                        rows.push(number);
+                        values.push(force.dot(direction));
                     }
                 }
                 starts.push(rows.len());

@@ -205,7 +205,7 @@ impl Contents {
         if open.len() <= count {
             return Ok(());
         }
-        let nodes: Vec<u64> = open.drain(..).collect();
+        let nodes = std::mem::take(open);
         let (own, nodes) = (nodes[0], &nodes[1..]);
         if nodes.len() != count {
             return Err((

@@ -42,7 +42,7 @@ impl<'a> NearField<'a> {
 
     /// The even loads among those that are kept, one along each axis.
     pub fn even(&self) -> impl Iterator<Item = usize> + '_ {
-        let even = |column: &usize| column % self.columns.polynomials == 0;
+        let even = |column: &usize| column.is_multiple_of(self.columns.polynomials);
         (0..self.columns.count()).filter(move |load| even(&self.columns.kept[*load]))
     }
 
