@@ -10,6 +10,17 @@ const BEFORE_TIP: f64 = 2e-3;
 /// Distance (m) between the places at which a profile is looked at.
 const STEP: f64 = 1e-4;
 
+/// Thickness Sd (m) that no flange exceeds (EN 15313; the same in national rules of operation, as Austria's EisbBBV, annex 2).
+pub const THICKEST: f64 = 33e-3;
+
+/// The tip of the flange (y and z, m), the lowest point of a wheel; `None` where the profile ends there and has no flange.
+pub fn tip(wheel: &Curve) -> Option<[f64; 2]> {
+    let places = wheel.nodes();
+    let z = |at: &usize| wheel.point(places[*at])[1];
+    let lowest = (0..places.len()).max_by(|one, other| z(one).total_cmp(&z(other)))?;
+    (lowest > 0 && lowest + 1 < places.len()).then(|| wheel.point(places[lowest]))
+}
+
 /// The dimensions of the flange of a wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flange {

@@ -49,6 +49,8 @@ pub struct RailResults {
     pub contacts: Vec<RailContact>,
     /// Where the flange of the wheel is steepest; `None` without one.
     pub flank: Option<Flank>,
+    /// Indentation hardness (Pa) of the softer of wheel and rail, where it is known.
+    pub hardness: Option<f64>,
     /// What was worn off over the route; `None` where nothing wears.
     pub wear: Option<RailWear>,
 }
@@ -184,14 +186,26 @@ fn image(patch: &Patch) -> Image {
 
 /// What can be believed of the contacts, whatever the user was warned of before.
 fn rail_verdict(results: &RailResults) -> Verdict {
-    let RailResults { contacts, flank, wear } = results;
+    let RailResults { contacts, flank, hardness, wear } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
     let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
     let spread = patches(contacts).map(|(_, patch)| patch.angle_spread).fold(0.0, f64::max);
     let mut lines = vec![verdict::load(off), verdict::conformity(spread.to_degrees())];
     let peaks = patches(contacts).map(|(_, patch)| patch.values.peak_pressure);
     let peak = peaks.fold(0.0, f64::max);
-    lines.push(verdict::hardness(peak / verdict::RAIL_STEEL, "rail steel of 440 HBW"));
+    let (hardness, steel) = match hardness {
+        Some(hardness) => (*hardness, "the softer of wheel and rail"),
+        None => (verdict::RAIL_STEEL, "rail steel of 440 HBW"),
+    };
+    lines.push(verdict::hardness(peak / hardness, steel));
+    let shaken = patches(contacts).map(|(_, patch)| {
+        let Quantities { peak_pressure, normal_force, force_x, force_s, .. } = patch.values;
+        verdict::shaken(peak_pressure / hardness, force_x.hypot(force_s) / normal_force)
+    });
+    lines.extend(shaken.max_by(f64::total_cmp).map(|over| verdict::shakedown(over, steel)));
+    let creeps = patches(contacts)
+        .map(|(_, patch)| patch.values.creepage.hypot(patch.values.lateral_creepage));
+    lines.extend(creeps.max_by(f64::total_cmp).map(verdict::creepage));
     lines.extend(stated(contacts));
     let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));

@@ -19,6 +19,7 @@ mod pitch;
 mod pressed;
 mod quantities;
 mod roll;
+mod sampled;
 
 pub use error::ContactError;
 pub(crate) use loaded::Loaded;
@@ -27,6 +28,7 @@ pub use pressed::PatchMap;
 pub(crate) use pressed::Pressed;
 pub use quantities::Quantities;
 pub use roll::roll;
+pub use sampled::{GROUPS, sampled};
 
 use std::f64::consts::PI;
 use std::sync::Arc;

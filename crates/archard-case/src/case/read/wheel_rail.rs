@@ -85,8 +85,8 @@ impl Reader<'_> {
             self.push(Problem::error(section.key.child("rigid"), message).at_name());
             return None;
         };
-        let (name, material) = (entry.name.clone(), material.elastic);
-        Some(Rolled { name, material, profile: profile?, wear: wear? })
+        let (name, hardness, material) = (entry.name.clone(), material.hardness, material.elastic);
+        Some(Rolled { name, material, hardness, profile: profile?, wear: wear? })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.

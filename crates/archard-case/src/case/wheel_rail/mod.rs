@@ -14,6 +14,8 @@ use archard::friction::Friction;
 use archard::parameters::Invalid;
 use archard::wear::{Input, WearLaw};
 use archard_rail::contact::{Bodies, ContactError, Resolution};
+use archard_rail::curve::Curve;
+use archard_rail::flange;
 use archard_rail::search::Onset;
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
 use archard_rail::wear::{Pass, Step, WearError};
@@ -21,7 +23,7 @@ use archard_rail::wear::{Pass, Step, WearError};
 pub use forecast::WheelRailForecast;
 pub use prepared::Prepared;
 pub use running::{Running, State, WHEEL_RAIL};
-pub use shape::{RAILS, RailShape, WHEELS, WheelShape};
+pub use shape::{RAILS, RailShape, Shape, WHEELS, WheelShape};
 
 use super::chosen::Chosen;
 use super::key::Key;
@@ -35,6 +37,8 @@ pub struct Rolled<S: 'static> {
     pub name: String,
     /// What it is made of.
     pub material: Material,
+    /// Its indentation hardness (Pa), where it is known.
+    pub hardness: Option<f64>,
     /// Its profile.
     pub profile: Chosen<S>,
     /// How it wears; `None` if it does not.
@@ -136,8 +140,19 @@ impl WheelRailCase {
             flange_back_position: position,
             nominal_radius: wheel.radius,
         };
-        let setup = Setup::new(track, &rail.shape.curve, wheelset, &wheel.shape.curve)
-            .map_err(|error| self.problem(error))?;
+        let place = |rail: &Curve, wheel: &Curve| {
+            Setup::new(track, rail, wheelset, wheel).map_err(|error| self.problem(error))
+        };
+        let setup = place(&rail.shape.curve, &wheel.shape.curve)?;
+        self.hold_flange(&setup)?;
+        let groups = rail.shape.samples.len().max(wheel.shape.samples.len());
+        let sample = |group: usize| {
+            let of = |shape: &Shape| shape.samples.get(group).unwrap_or(&shape.curve).clone();
+            place(&of(&rail.shape), &of(&wheel.shape))
+        };
+        let samples = (0..groups).map(sample).collect::<Result<_, _>>()?;
+        let hardness = [self.wheel.hardness, self.rail.hardness].into_iter().flatten();
+        let hardness = hardness.min_by(f64::total_cmp);
         let law = |wear: &Option<Chosen<Box<dyn WearLaw>>>, name: &str| match wear {
             None => Ok(None),
             Some(law) => {
@@ -157,9 +172,27 @@ impl WheelRailCase {
         let mut resolution = Resolution { join: running.join, ..Resolution::default() };
         resolution.elements = self.elements.unwrap_or(resolution.elements);
         let formats = [wheel.shape.format, rail.shape.format];
-        let prepared = Prepared { setup, bodies, resolution, running, formats };
+        let prepared = Prepared { setup, samples, hardness, bodies, resolution, running, formats };
         self.hold(&prepared)?;
         Ok(prepared)
+    }
+
+    /// Refuses a flange that lies farther from its back than any is thick: y = 0 of the profile is elsewhere.
+    fn hold_flange(&self, setup: &Setup) -> Result<(), Problem> {
+        let back = setup.wheelset().flange_back_position;
+        let Some([y, _]) = flange::tip(setup.wheel()) else { return Ok(()) };
+        if (0.0..=flange::THICKEST).contains(&(y - back)) {
+            return Ok(());
+        }
+        let message = format!(
+            "the tip of the flange, y = {:.1} mm, is {:.1} mm from the back of the wheel, y = {:.1} mm, and no flange is thicker \
+             than {:.0} mm: shift or mirror y of the file, or give `flange_back_position`",
+            1e3 * y,
+            1e3 * (y - back),
+            1e3 * back,
+            1e3 * flange::THICKEST
+        );
+        Err(Problem::error(Key::of(["body", &self.wheel.name, "profile", "wheel"]), message))
     }
 
     /// Refuses what wears without a distance, and laws that ask for what a profile does not keep.

@@ -19,6 +19,10 @@ use crate::output::{AtPoint, Flank, RailContact, RailResults, RailWear};
 #[derive(Debug, Clone)]
 pub struct Prepared {
     pub(super) setup: Setup,
+    /// The same with groups of the points of measured profiles left out.
+    pub(super) samples: Vec<Setup>,
+    /// Indentation hardness (Pa) of the softer of both, where it is known.
+    pub(super) hardness: Option<f64>,
     pub(super) bodies: Bodies,
     pub(super) resolution: Resolution,
     /// How the case has the wheelset stand and run.
@@ -42,7 +46,7 @@ impl Prepared {
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
         if self.wears() == [false; 2] {
-            return Ok(RailResults { contacts: self.all(None)?, flank: self.flank(), wear: None });
+            return Ok(self.results(self.all(None)?, None));
         }
         let journey = self.journey()?;
         let mut contacts = self.all(None)?;
@@ -68,7 +72,11 @@ impl Prepared {
             formats: self.formats,
             travelled,
         };
-        Ok(RailResults { contacts, flank: self.flank(), wear: Some(wear) })
+        Ok(self.results(contacts, Some(wear)))
+    }
+
+    fn results(&self, contacts: Vec<RailContact>, wear: Option<RailWear>) -> RailResults {
+        RailResults { contacts, flank: self.flank(), hardness: self.hardness, wear }
     }
 
     /// The steepest place of the flange, between its tip, the lowest point of the wheel, and the tread.
@@ -132,6 +140,12 @@ impl Prepared {
         let solve = |(side, setup): (&Side, &Setup)| {
             let own = operation.of_side(*side);
             let patches = contact::contact(setup, &bodies, &own, &self.resolution);
+            let patches = patches.map_err(wrong)?;
+            // Worn profiles have the noise of the new ones.
+            let patches = match at {
+                Some(AtPoint { worn: true, .. }) => Ok(patches),
+                _ => contact::sampled(patches, &self.samples, &bodies, &own, &self.resolution),
+            };
             let patches = patches.map_err(wrong)?;
             // Friction where the flange would bear.
             let steepest = patches.iter().max_by(|one, other| {

@@ -21,10 +21,13 @@ impl Display for WheelRailCase {
 }
 
 fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
-    let Rolled { name, material, profile, wear } = body;
+    let Rolled { name, material, hardness, profile, wear } = body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
+    if let Some(hardness) = hardness {
+        writeln!(f, "{key}.material.hardness = {}", si(*hardness, "Pa"))?;
+    }
     print_chosen(f, &format!("{key}.profile"), profile)?;
     if let Some(wear) = wear {
         print_chosen(f, &format!("{key}.wear"), wear)?;

@@ -16,6 +16,8 @@ const DRAWN: f64 = 0.2e-3;
 pub struct Shape {
     /// The curve through its points (m).
     pub curve: Curve,
+    /// The curves through the same points without a group of them each; none of a standard profile, which has no noise.
+    pub samples: Vec<Curve>,
     /// What looks wrong, with the lines of the file.
     pub findings: Vec<Finding>,
     /// The format of the file; SIMPACK's of a standard profile.
@@ -121,7 +123,10 @@ fn shape(
     };
     let smoothing = values.number("smoothing").map_or(Smoothing::NONE, Smoothing::wavelength);
     let curve = profile.curve(smoothing).map_err(|error| of(error, "file"))?;
-    Ok(Shape { curve, findings, format })
+    let groups = values.get("file").map(|_| profile.without_groups());
+    let samples = groups.iter().flatten().map(|one| one.curve(smoothing));
+    let samples = samples.collect::<Result<_, _>>().map_err(|error| of(error, "file"))?;
+    Ok(Shape { curve, samples, findings, format })
 }
 
 /// The profile in a file, and what looks wrong in it.
@@ -152,7 +157,7 @@ fn file(
     if let Some(size) = size {
         let remedy = match format {
             Format::Columns { .. } => {
-                "state the unit of its columns, as unit = \"25.4 mm\" of inches"
+                "state the unit of its columns, as unit = \"25.4 mm\" of inches or \"1 m\" of metres"
             }
             _ => "correct the unit in its head",
         };
