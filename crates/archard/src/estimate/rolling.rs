@@ -118,7 +118,7 @@ impl Contacted<'_> {
         let force = match line {
             true => relative_creepage.map(|one| [limit * carter::relative_force(one), 0.0]),
             false => linear_force
-                .filter(|_| limit > 0.0 && self.drives.spin == 0.0)
+                .filter(|_| limit > 0.0 && self.drives.is_even())
                 .map(|linear| vermeulen_johnson::force(linear, limit)),
         };
         let (free_creepage, track) = (self.free_creepage(), self.track(course));
@@ -163,7 +163,7 @@ impl Contacted<'_> {
     /// The longitudinal creepage relative to saturation, where nothing else makes slip.
     fn relative_creepage(&self, saturation: Option<Saturation>) -> Option<f64> {
         let [along, across] = self.creepages?;
-        let alone = across == 0.0 && self.drives.spin == 0.0 && self.alike();
+        let alone = across == 0.0 && self.drives.is_even() && self.alike();
         saturation.filter(|_| alone).map(|saturation| along / saturation.creepage)
     }
 
@@ -197,7 +197,7 @@ impl Contacted<'_> {
         let coefficient = self.subject.total_wear_coefficient()?;
         let wears =
             creepage * revolutions > 0.0 && self.subject.motion.sequence == Sequence::Steady;
-        if !wears || self.drives.spin != 0.0 || self.is_line() {
+        if !wears || !self.drives.is_even() || self.is_line() {
             return None;
         }
         let (crown, half_width) = (1.0 / self.curvatures[1], self.semi_axes[1]);

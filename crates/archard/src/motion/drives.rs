@@ -47,6 +47,9 @@ pub struct Drives {
     pub lateral: Drive,
     /// Spin about n (1/m), positive where the surface of body 2 turns from t1 to t2 beneath body 1.
     pub spin: f64,
+    /// What the longitudinal creepage gains with the square of the place across (1/m^2): the rolling radius differs over a curved contact
+    /// (H. L. Heathcote, *Proc. Inst. Automobile Engineers* 15 (1921) 569).
+    pub bow: f64,
     /// Whether the longitudinal creepage follows the worn radii of the bodies.
     pub worn_radius: bool,
 }
@@ -57,6 +60,7 @@ impl Drives {
         longitudinal: Drive::Slip(0.0),
         lateral: Drive::Slip(0.0),
         spin: 0.0,
+        bow: 0.0,
         worn_radius: false,
     };
 
@@ -64,7 +68,12 @@ impl Drives {
     #[must_use]
     pub fn raised(&self, share: f64) -> Self {
         let [longitudinal, lateral] = self.both().map(|drive| drive.share(share));
-        Self { longitudinal, lateral, spin: share * self.spin, ..*self }
+        Self { longitudinal, lateral, spin: share * self.spin, bow: share * self.bow, ..*self }
+    }
+
+    /// Whether the rigid bodies slip alike all over the contact.
+    pub fn is_even(&self) -> bool {
+        self.spin == 0.0 && self.bow == 0.0
     }
 
     /// Those along the direction and across it.
@@ -97,10 +106,19 @@ impl Drives {
         let [one, two] =
             [0, 1].map(|axis| turned.iter().map(|both| both[axis]).collect::<Vec<_>>());
         let mut slip = flow.gained([&one, &two]);
+        let bowed = |pair: usize| {
+            let place = flow.frame().place(pair);
+            let across = place[0] * lateral[0] + place[1] * lateral[1];
+            self.bow * across * across
+        };
         for (axis, slip) in slip.iter_mut().enumerate() {
             let creepage =
                 self.longitudinal.slip() * forward[axis] + self.lateral.slip() * lateral[axis];
             slip.iter_mut().zip(&advances).for_each(|(slip, advance)| *slip += advance * creepage);
+            if self.bow != 0.0 {
+                let bowed = (0..pairs).map(|pair| advances[pair] * bowed(pair) * forward[axis]);
+                slip.iter_mut().zip(bowed).for_each(|(slip, bowed)| *slip += bowed);
+            }
         }
         slip
     }

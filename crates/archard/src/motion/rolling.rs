@@ -148,6 +148,12 @@ impl Rolling {
         Self { drives: Drives { spin, ..self.drives }, ..self }
     }
 
+    /// The same whose longitudinal creepage gains so much (1/m^2) with the square of the place across.
+    #[must_use]
+    pub fn bow(self, bow: f64) -> Self {
+        Self { drives: Drives { bow, ..self.drives }, ..self }
+    }
+
     /// The same at that speed of rolling (m/s).
     #[must_use]
     pub fn at_speed(self, speed: f64) -> Self {

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
 use crate::compliance::Compliance;
-use crate::frame::{ContactFrame, VectorField};
+use crate::frame::{ContactFrame, Direction, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Drives, Motion};
 use crate::numerics::WRITTEN;
@@ -255,7 +255,20 @@ impl Tangential {
         weighed.sum::<f64>() * measure.area
     }
 
-    /// Power of the creepages and the spin over the speed of rolling (N): what friction dissipates.
+    /// The integral of the traction on body 1 along the direction of the motion times the square of the place across (N m^2).
+    fn bowed(&self, frame: &ContactFrame, direction: Direction) -> f64 {
+        let (forward, lateral) = (direction.forward(), direction.lateral());
+        let along = |[x, y]: [f64; 2], unit: [f64; 2]| x * unit[0] + y * unit[1];
+        let [t1, t2] = &self.traction;
+        let measure = frame.measure();
+        let of = |pair: usize| {
+            let traction = along([t1[pair], t2[pair]], forward);
+            measure.weight.at(pair) * traction * along(frame.place(pair), lateral).powi(2)
+        };
+        (0..frame.len()).map(of).sum::<f64>() * measure.area
+    }
+
+    /// Power of the creepages, the spin and the bow over the speed of rolling (N): what friction dissipates.
     pub fn creep_power(&self, problem: &ContactProblem, drives: &Drives) -> f64 {
         let frame = &problem.frame;
         let force = self.force(frame);
@@ -264,6 +277,7 @@ impl Tangential {
         self.creepage[0] * along(direction.forward())
             + self.creepage[1] * along(direction.lateral())
             + drives.spin * self.moment(frame)
+            + drives.bow * self.bowed(frame, direction)
     }
 
     /// Whether a pair is in contact and sticks: it bears less than the limit.
