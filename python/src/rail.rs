@@ -70,6 +70,7 @@ impl WheelRail {
         let mut prepared = self.0.clone();
         if let Some(route) = route {
             prepared.running.route = route;
+            prepared.running.within = None;
         }
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = stop.clone();

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::output::{RailContact, RailWear, Totals, write_rail};
+use archard_case::output::{RailContact, RailHistory, RailLife, RailWear, Totals, write_rail};
 use archard_case::{Problem, ResolvedWheelRail};
 use archard_rail::wear::{COLUMNS, Pass, Step};
 
@@ -41,6 +41,14 @@ pub fn run(
         .map_err(|error| wrong(&error))?;
     if !quiet {
         follower.end();
+        if let Some(history) = &results.history {
+            let points = history.rows.first().map_or(0, |(_, values)| values.len());
+            let RailHistory { steps, loss, .. } = history;
+            say(&format!(
+                "history           {steps} steps, {points} points (route.csv) that lose {} %",
+                four(100.0 * loss)
+            ))?;
+        }
         match &results.wear {
             None => results.contacts.iter().try_for_each(summarize)?,
             Some(wear) => summarize_wear(wear)?,
@@ -80,7 +88,8 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
         say(&format!("{} side, after {}", told.side.name(), after.join(" and ")))?;
         for (name, (value, error)) in COLUMNS.iter().zip(told.values.iter().zip(errors)) {
             let own = if name.starts_with("rail") { wear.wears[1] } else { wear.wears[0] };
-            if !own || value.is_nan() {
+            // The conicity is that of both.
+            if !own || value.is_nan() || *name == "equivalent_conicity" {
                 continue;
             }
             // Flanges are judged by hundredths of a millimetre.
@@ -97,6 +106,26 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
             let words = name.rsplit_once('_').map_or(*name, |(words, _)| words).replace('_', " ");
             let error = four(factor * error);
             say(&format!("  {words:<18}{value} {unit}  +- {error}"))?;
+        }
+    }
+    for RailLife { limit, side, at } in &wear.lives {
+        let words = limit.column.strip_suffix("_m").unwrap_or(limit.column).replace('_', " ");
+        let bound = if limit.column.ends_with("_m") {
+            format!("{} mm", four(1e3 * limit.value))
+        } else {
+            four(limit.value)
+        };
+        let what = format!("{} wheel: {words} of {bound}", side.name());
+        let km = |share: f64| four(1e-3 * share * wear.extent[0]);
+        match at {
+            Some([share, error]) => {
+                say(&format!(
+                    "limit             {what} after {} km  +- {}",
+                    km(*share),
+                    km(*error)
+                ))?;
+            }
+            None => say(&format!("limit             {what} not within {} km", km(1.0)))?,
         }
     }
     if let [Some(new), Some(worn), error] = wear.conicity {

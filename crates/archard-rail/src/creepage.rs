@@ -39,4 +39,15 @@ impl Creepage {
         let spin = -frame.z_axis.dot(rotation) / speed;
         Self { longitudinal: -x / speed, lateral: -y / speed, spin, speed }
     }
+
+    /// The same with creepage, lateral creepage and spin (1/m) that are prescribed.
+    #[must_use]
+    pub fn prescribed(self, [longitudinal, lateral, spin]: [Option<f64>; 3]) -> Self {
+        Self {
+            longitudinal: longitudinal.unwrap_or(self.longitudinal),
+            lateral: lateral.unwrap_or(self.lateral),
+            spin: spin.unwrap_or(self.spin),
+            speed: self.speed,
+        }
+    }
 }

@@ -21,11 +21,13 @@
 //!
 //! let steel = Material::new(210e9, 0.28)?;
 //! let friction = Arc::new(Coulomb::new(0.3)?);
-//! let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
+//! let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] };
 //! let operation = Operation {
 //!     attitude: Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 },
 //!     velocity: Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() },
 //!     load: 10e3,
+//!     transfer: 0.0,
+//!     creepages: Default::default(),
 //! };
 //! for patch in contact(&setup, &bodies, &operation, &Resolution::default())? {
 //!     let (of, error) = (patch.values, patch.errors);
@@ -56,6 +58,7 @@ pub mod creepage;
 pub mod curve;
 pub mod file;
 pub mod flange;
+pub mod gather;
 pub mod oddity;
 pub mod profile;
 mod roots;

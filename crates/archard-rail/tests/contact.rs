@@ -69,12 +69,20 @@ fn eight_shifts_bear_the_same() {
     // G = 82 GPa.
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
+    let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] };
     let mut wrong = vec![];
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
-        let operation = Operation { attitude, velocity, load: row.get("FZ(TR)") };
-        let patches = contact(&setup, &bodies, &operation, &Resolution::default()).unwrap();
+        let operation = Operation {
+            attitude,
+            velocity,
+            load: row.get("FZ(TR)"),
+            transfer: 0.0,
+            creepages: Default::default(),
+        };
+        // The reference is computed in the plane.
+        let resolution = Resolution { curved: false, ..Resolution::default() };
+        let patches = contact(&setup, &bodies, &operation, &resolution).unwrap();
         let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
         let bends = patch.angle_spread.to_degrees();
         eprintln!("y = {} mm, bent by {bends:.1} degrees:", row.get("Y_WS"));
@@ -101,10 +109,16 @@ fn the_wheelset_rolls_until_both_wheels_carry() {
     let setup = common::setup(&folder);
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
+    let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] };
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
-        let operation = Operation { attitude, velocity, load: 10e3 };
+        let operation = Operation {
+            attitude,
+            velocity,
+            load: 10e3,
+            transfer: 0.0,
+            creepages: Default::default(),
+        };
         let resolution = Resolution { elements: 16, ..Resolution::default() };
         let roll = roll(&setup, &bodies, &operation, &resolution).unwrap();
         let off = roll - attitude.roll;

@@ -6,7 +6,7 @@ use archard::Material;
 use archard::body::contact_modulus;
 use archard::closed_form::Hertz;
 use archard::friction::Coulomb;
-use archard_rail::contact::{Bodies, ContactError, Operation, Patch, Resolution, contact};
+use archard_rail::contact::{Bodies, ContactError, Operation, Patch, Resolution, contact, pitch};
 use archard_rail::curve::{Curve, Smoothing};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Velocity, Wheelset};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
@@ -40,14 +40,20 @@ fn cone(slope: f64, half: f64) -> Setup {
 fn bodies(coefficient: f64) -> Bodies {
     let steel = Material::new(210e9, 0.3).unwrap();
     let friction = Arc::new(Coulomb::new(coefficient).unwrap());
-    Bodies { wheel: steel, rail: steel, friction, wear: [None, None] }
+    Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] }
 }
 
 /// A wheelset that yaws, is driven by a share of its speed and carries a load (N) on the wheel.
 fn operation(yaw: f64, driven: f64, load: f64) -> Operation {
     let pitch = -2.0 * (1.0 + driven) / WHEEL;
     let velocity = Velocity { forward: 2.0, pitch, ..Velocity::default() };
-    Operation { attitude: Attitude { yaw, ..Attitude::default() }, velocity, load }
+    Operation {
+        attitude: Attitude { yaw, ..Attitude::default() },
+        velocity,
+        load,
+        transfer: 0.0,
+        creepages: Default::default(),
+    }
 }
 
 fn one(setup: &Setup, coefficient: f64, operation: &Operation) -> Patch {
@@ -103,7 +109,7 @@ fn an_inclined_plane_bears_the_load() {
     let left = Operation {
         attitude: Side::Left.attitude(turned.attitude),
         velocity: Side::Left.velocity(turned.velocity),
-        load: LOAD,
+        ..turned
     };
     assert_eq!(one(&setup, 0.3, &left).values, of);
 }
@@ -186,4 +192,55 @@ fn any_attitude_ends_in_a_contact_or_an_error() {
     }
     eprintln!("{found} contacts; {failed:#?}");
     assert!(found > 40);
+}
+
+/// A wheel of 420 mm whose tread is round, of 10 mm, in a groove of 20 mm.
+fn groove() -> Setup {
+    let angles = || (-600..=600).map(|at| f64::from(at) * 1.6e-3);
+    let arc = |radius: f64, angle: f64| [radius * angle.sin(), radius * angle.cos() - radius];
+    let rail = curve(angles().map(|angle| arc(20e-3, angle)));
+    let round = curve(angles().rev().map(|angle| arc(10e-3, angle)));
+    let gauge = 2.0 * (ARM - 20e-3 * 0.96f64.sin());
+    let track = Track { gauge, gauge_height: 1.0, cant: 0.0 };
+    let wheelset = Wheelset { nominal_radius: 0.42, ..wheelset() };
+    Setup::new(track, &rail, wheelset, &round).unwrap()
+}
+
+/// A free wheel in a groove slips but for two lines at 0.347 of the half-width, where its rolling radius is that of its speed (Heathcote;
+/// Johnson, *Contact Mechanics*, section 8.5): so much friction dissipates where next to nothing sticks. In the plane it rolls freely.
+#[test]
+fn a_groove_slips_but_for_two_lines() {
+    let steel = Material::new(210e9, 0.3).unwrap();
+    let (mu, load, setup) = (1e-4, 10e3, groove());
+    let rolled = |curved: bool| {
+        let friction = Arc::new(Coulomb::new(mu).unwrap());
+        let wear = [None, None];
+        let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear };
+        let resolution = Resolution { elements: 64, curved, ..Resolution::default() };
+        let mut operation = operation(0.0, 0.0, load);
+        operation.velocity.pitch =
+            pitch([&setup; 2], &bodies, &operation, &resolution, 0.0).unwrap();
+        contact(&setup, &bodies, &operation, &resolution).unwrap().remove(0)
+    };
+    let plane = rolled(false).values;
+    assert!(plane.frictional_power.abs() < 1e-9 && plane.creepage.abs() < 1e-8, "{plane:?}");
+    let modulus = contact_modulus([Some(&steel), Some(&steel)]);
+    let hertz = Hertz::from_load([1.0 / 0.42, 1.0 / 10e-3 - 1.0 / 20e-3], modulus, load).unwrap();
+    let half = hertz.semi_axes[1];
+    // Halfway between both bodies.
+    let bow = 0.5 * (1.0 / 10e-3 + 1.0 / 20e-3) / (2.0 * 0.42);
+    // The root of x - x^3/3 = 1/3: rows bear in proportion to 1 - x^2, and forwards as much as backwards.
+    let line = 0.347_296_f64;
+    let found = rolled(true);
+    // Whole rows slip forwards or backwards.
+    let row = found.map.spacing[1] / half;
+    let slips_from = (found.values.creepage / bow).sqrt() / half;
+    assert!((slips_from - line).abs() < row, "{slips_from} {row}");
+    let steps = 10_000;
+    let rows = (0..steps).map(|at| (f64::from(at) + 0.5) / f64::from(steps));
+    let slip = rows.map(|x| 1.5 * (1.0 - x * x) * (x * x - line * line).abs()).sum::<f64>();
+    let power = mu * load * bow * half * half * slip / f64::from(steps) * 2.0;
+    let off = found.values.frictional_power / power - 1.0;
+    eprintln!("from {slips_from:.3}, power {off:+.2e}, bent by {}", found.angle_spread);
+    assert!(off.abs() < 0.005, "{off}");
 }

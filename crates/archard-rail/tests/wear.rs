@@ -29,7 +29,7 @@ fn bodies(wears: [bool; 2]) -> Bodies {
     let steel = Material::new(210e9, 0.28).unwrap();
     let law: Arc<dyn WearLaw> = Arc::new(Archard::new(K).unwrap());
     let wear = wears.map(|wears| wears.then(|| law.clone()));
-    Bodies { wheel: steel, rail: steel, friction: friction(), wear }
+    Bodies { wheel: steel, rail: steel, friction: friction(), flange: None, wear }
 }
 
 fn point(shift: f64, yaw: f64, share: f64) -> OperatingPoint {
@@ -39,7 +39,10 @@ fn point(shift: f64, yaw: f64, share: f64) -> OperatingPoint {
         velocity: Velocity { forward: SPEED, pitch: -SPEED / RADIUS, ..Velocity::default() },
         moment: None,
         load: 60e3,
+        transfer: 0.0,
+        creepages: Default::default(),
         friction: friction(),
+        flange: None,
         share,
     }
 }
@@ -74,6 +77,7 @@ fn journey(setup: Setup, wears: [bool; 2], points: Vec<OperatingPoint>, distance
         resolution: Resolution { elements: 16, ..Resolution::default() },
         tolerance: 0.02,
         smoothing: 2e-3,
+        amplitude: None,
     }
 }
 
@@ -123,7 +127,13 @@ fn a_route_loses_what_its_friction_works() {
     for point in &points {
         let roll = setup.roll(&setup, point.attitude.shift, point.attitude.yaw).unwrap();
         let attitude = Attitude { roll, ..point.attitude };
-        let operation = Operation { attitude, velocity: point.velocity, load: point.load };
+        let operation = Operation {
+            attitude,
+            velocity: point.velocity,
+            load: point.load,
+            transfer: 0.0,
+            creepages: Default::default(),
+        };
         let patches = contact(&setup, &journey.bodies, &operation, &journey.resolution).unwrap();
         let power: f64 = patches.iter().map(|patch| patch.values.frictional_power).sum();
         work += point.share * power / SPEED;

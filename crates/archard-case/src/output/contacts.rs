@@ -15,6 +15,8 @@ use archard_rail::setup::Side;
 
 /// The file of the patches.
 pub(super) const CONTACTS: &str = "contacts.csv";
+/// The file of the points that stand for a history.
+const ROUTE: &str = "route.csv";
 /// The folder of their maps.
 const PATCHES: &str = "patches";
 
@@ -53,6 +55,19 @@ pub struct RailResults {
     pub hardness: Option<f64>,
     /// What was worn off over the route; `None` where nothing wears.
     pub wear: Option<RailWear>,
+    /// What its route was gathered from; `None` without a history.
+    pub history: Option<RailHistory>,
+}
+
+/// The points of a route that stand for the steps of a history.
+#[derive(Debug, Clone)]
+pub struct RailHistory {
+    /// Number of steps.
+    pub steps: usize,
+    /// What the points lose, relative to all work of friction: its amount and its place on the wheel.
+    pub loss: f64,
+    /// The points by the titles of their columns, which a route is read from.
+    pub rows: Vec<(String, Vec<f64>)>,
 }
 
 /// The steepest place of a flange.
@@ -152,6 +167,17 @@ pub fn write_rail(
     if let Some(wear) = &results.wear {
         write_rail_wear(manifest, wear)?;
     }
+    if let Some(history) = &results.history {
+        let mut table = Table::create(manifest.claim(ROUTE)?)?;
+        let points = history.rows.first().map_or(0, |(_, values)| values.len());
+        for point in 0..points {
+            let cells =
+                history.rows.iter().map(|(name, values)| (name.as_str(), number(values[point])));
+            table.row(&cells.collect::<Vec<_>>())?;
+        }
+        table.flush()?;
+        table.sync()?;
+    }
     let verdict = rail_verdict(results).warned_of(&totals.warnings);
     let verdict = verdict.ended(totals.failure.as_deref());
     let summary = format!("{:#}\n", summary(results, &verdict, totals));
@@ -161,9 +187,15 @@ pub fn write_rail(
 }
 
 /// The files of a wheel on a rail but for the case, by their names in the folder: of those of wheel and rail that wear, on these
-/// sides, in these formats.
-pub fn rail_files(wears: [bool; 2], sides: &[Side], formats: [Format; 2]) -> Vec<String> {
+/// sides, in these formats, over a route that is gathered from a history or not.
+pub fn rail_files(
+    wears: [bool; 2],
+    sides: &[Side],
+    formats: [Format; 2],
+    gathered: bool,
+) -> Vec<String> {
     let mut names = vec![CONTACTS.to_owned()];
+    names.extend(gathered.then(|| ROUTE.to_owned()));
     if wears != [false; 2] {
         names.extend(rail_wear_files(wears, sides, formats));
     }
@@ -186,7 +218,7 @@ fn image(patch: &Patch) -> Image {
 
 /// What can be believed of the contacts, whatever the user was warned of before.
 fn rail_verdict(results: &RailResults) -> Verdict {
-    let RailResults { contacts, flank, hardness, wear } = results;
+    let RailResults { contacts, flank, hardness, wear, history } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
     let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
     let spread = patches(contacts).map(|(_, patch)| patch.angle_spread).fold(0.0, f64::max);
@@ -215,6 +247,12 @@ fn rail_verdict(results: &RailResults) -> Verdict {
     });
     lines.extend(climbs.max_by(f64::total_cmp).map(verdict::nadal));
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
+    let first = wear.iter().filter_map(|wear| wear.lives.first()?.at).next();
+    let life = |[at, error]: [f64; 2]| {
+        verdict::measured(if at > 0.0 { error / at } else { 0.0 }, "distance to the first limit")
+    };
+    lines.extend(first.map(life));
+    lines.extend(history.as_ref().map(|history| verdict::gathered(history.loss)));
     Verdict { lines }
 }
 
@@ -283,6 +321,11 @@ fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {
         "complete": totals.failure.is_none(),
         "failure": totals.failure,
         "patches": all,
+        "history": results.history.as_ref().map(|history| json!({
+            "steps": history.steps,
+            "points": history.rows.first().map_or(0, |(_, values)| values.len()),
+            "loss": history.loss,
+        })),
         "wear": results.wear.as_ref().map(rail_wear_json),
         "verdict": json_of(verdict),
         "seconds": totals.seconds,

@@ -69,7 +69,9 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
-pub use contacts::{AtPoint, Flank, RailContact, RailResults, contact_row, rail_files, write_rail};
+pub use contacts::{
+    AtPoint, Flank, RailContact, RailHistory, RailResults, contact_row, rail_files, write_rail,
+};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};
@@ -79,7 +81,7 @@ pub use inside::{Inside, InsideError};
 pub use life::{Life, Limit, Lives, NoColumn, Reached};
 pub use manifest::Manifest;
 pub use place::Place;
-pub use rail_wear::{ProfileWear, RailWear};
+pub use rail_wear::{ProfileWear, RailLife, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;

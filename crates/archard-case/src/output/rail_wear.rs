@@ -2,7 +2,7 @@
 
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
-use archard_rail::wear::{COLUMNS, Told, Travelled, Worn, WornProfile, error_of};
+use archard_rail::wear::{COLUMNS, Limit, Told, Travelled, Worn, WornProfile, error_of};
 use serde_json::{Value, json};
 
 use super::Error;
@@ -28,8 +28,35 @@ pub struct RailWear {
     /// Equivalent conicity of new and of worn profiles, and the error of the second; `None` where a wheelset does not steer
     /// itself back.
     pub conicity: [Option<f64>; 3],
+    /// When the wheels reach their limits, those first that are reached first; none without limits.
+    pub lives: Vec<RailLife>,
     /// The formats in which the profiles of the wheel and of the rail were read.
     pub formats: [Format; 2],
+}
+
+/// When a wheel reaches a limit in service.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailLife {
+    /// The limit.
+    pub limit: Limit,
+    /// The side.
+    pub side: Side,
+    /// The share of the distance at which it is reached, and its error; `None` where it is not.
+    pub at: Option<[f64; 2]>,
+}
+
+impl RailLife {
+    /// When the wheels of these sides reach limits, the first first.
+    pub fn of(limits: &[Limit], sides: &[Side], travelled: &Travelled) -> Vec<Self> {
+        let of_side = |&side: &Side| {
+            let of = move |&limit: &Limit| Self { limit, side, at: travelled.life(&limit, side) };
+            limits.iter().map(of)
+        };
+        let mut lives: Vec<Self> = sides.iter().flat_map(of_side).collect();
+        let share = |life: &Self| life.at.map_or(f64::INFINITY, |[share, _]| share);
+        lives.sort_by(|one, other| share(one).total_cmp(&share(other)));
+        lives
+    }
 }
 
 /// A profile that wears: which body it is of, which of the sides, and the name of its file.
@@ -56,16 +83,22 @@ impl RailWear {
 
     /// What is told after each step of a side, by the names of columns (SI), each with its error.
     pub fn rows(&self) -> Vec<(Side, Vec<(String, f64)>)> {
+        let course = self.travelled.course();
+        // What nobody asked for has no column.
+        let weaves = |(told, _): &(Told, _)| told.values.last().is_some_and(|one| !one.is_nan());
+        let weaves = course.iter().any(weaves);
         let row = |(told, errors): (Told, Vec<f64>)| {
             let [distance, axles] = self.extent.map(|all| all * told.progress);
             let mut row = vec![("distance_m".to_owned(), distance), ("axles".to_owned(), axles)];
-            for ((name, value), error) in COLUMNS.iter().zip(&told.values).zip(&errors) {
+            let all = COLUMNS.iter().zip(&told.values).zip(&errors);
+            let all = all.filter(|((name, _), _)| **name != "equivalent_conicity" || weaves);
+            for ((name, value), error) in all {
                 row.push(((*name).to_owned(), *value));
                 row.push((format!("error_of_{name}"), *error));
             }
             (told.side, row)
         };
-        self.travelled.course().into_iter().map(row).collect()
+        course.into_iter().map(row).collect()
     }
 
     /// The largest error of a worn area, relative to it.
@@ -186,7 +219,9 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             ([&first.values, none], [&last.values, errors])
         };
         let mut told = json!({ "side": wear.travelled.worn[at].side.name() });
-        for (index, name) in COLUMNS.iter().enumerate() {
+        for (index, name) in
+            COLUMNS.iter().enumerate().filter(|(_, name)| **name != "equivalent_conicity")
+        {
             told[format!("new_{name}")] = json!(first[index]);
             told[*name] = json!(last[index]);
             told[format!("error_of_{name}")] = json!(errors[index]);
@@ -194,7 +229,21 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
         told
     };
     let [new, worn, error] = wear.conicity;
+    let life = |life: &RailLife| {
+        let [distance, error] = match life.at {
+            Some(at) => at.map(|share| Some(share * wear.extent[0])),
+            None => [None; 2],
+        };
+        json!({
+            "side": life.side.name(),
+            "column": life.limit.column,
+            "limit": life.limit.value,
+            "distance_m": distance,
+            "error_of_distance_m": error.filter(|error| error.is_finite()),
+        })
+    };
     json!({
+        "life": wear.lives.iter().map(life).collect::<Vec<_>>(),
         "distance_m": wear.extent[0],
         "axles": wear.extent[1],
         "steps": wear.travelled.steps,

@@ -313,6 +313,12 @@ pub fn worn(error: f64) -> Line {
     Line::new("wear", error, Bound::AtMost([0.05, 0.3]), text)
 }
 
+/// What the points of a route lose of the history that they stand for, relative to all work of friction.
+pub fn gathered(loss: f64) -> Line {
+    let text = "of the work of friction is lost where the points of the route stand for a history: a smaller `history.within` takes more of them";
+    Line::new("history", loss, Bound::AtMost([0.05, 0.3]), text)
+}
+
 /// What a user is warned of, in its first line: never good.
 pub fn warned(warning: &str) -> Line {
     let text = warning.lines().next().unwrap_or_default();

@@ -58,6 +58,11 @@ impl Lattice {
         -self.gap.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// The overlap (m) on an element, negative where there is a gap.
+    pub fn overlap(&self, element: usize) -> f64 {
+        -self.gap[element]
+    }
+
     /// s (m) of the middle of a row.
     pub fn across(&self, row: usize) -> f64 {
         let [_, width] = self.rectangle.size;

@@ -4,7 +4,7 @@ use archard::body::contact_modulus;
 use archard::parameters::Invalid;
 
 use super::pressed::{Pressed, Site};
-use super::{Bodies, ContactError, Operation, Quantities, apart, height};
+use super::{Bodies, ContactError, Operation, Quantities, Resolution, apart, height};
 use crate::bounds;
 use crate::search::Search;
 use crate::setup::Setup;
@@ -17,8 +17,8 @@ pub(crate) struct Loaded<'a> {
     onset: f64,
     bodies: &'a Bodies,
     operation: &'a Operation,
-    /// Distance (m) up to which stretches of overlap share a grid.
-    join: f64,
+    /// Which stretches of overlap share a grid, and whether patches curve.
+    resolution: Resolution,
 }
 
 impl<'a> Loaded<'a> {
@@ -28,7 +28,7 @@ impl<'a> Loaded<'a> {
         setup: &'a Setup,
         bodies: &'a Bodies,
         operation: &'a Operation,
-        join: f64,
+        resolution: &Resolution,
     ) -> Result<Self, ContactError> {
         bounds::positive("load", operation.load)?;
         let velocity = &operation.velocity;
@@ -38,7 +38,7 @@ impl<'a> Loaded<'a> {
         }
         let search = Search::new(setup, operation.attitude)?;
         let onset = search.onset().ok_or(ContactError::NoContact)?.height;
-        Ok(Self { search, onset, bodies, operation, join })
+        Ok(Self { search, onset, bodies, operation, resolution: *resolution })
     }
 
     /// What it is searched with.
@@ -58,11 +58,11 @@ impl<'a> Loaded<'a> {
     pub fn on(&self, elements: usize, guess: f64) -> Result<(f64, Vec<Pressed>), ContactError> {
         let Self { search, bodies, operation, .. } = self;
         let bears = |height: f64| {
-            let patches = search.patches(height, self.join)?.into_iter();
+            let patches = search.patches(height, self.resolution.join)?.into_iter();
             let sites = patches.map(|patch| Site::new(search, patch, elements));
             let sites = sites.collect::<Result<Vec<Site>, _>>()?;
             let apart = apart::by_the_others(&sites, bodies)?;
-            let with = (&operation.velocity, *bodies);
+            let with = (*operation, *bodies, self.resolution.curved);
             let sites = sites.into_iter().zip(apart);
             let patches = sites.map(|(site, apart)| site.press(search, with, apart));
             let patches = patches.collect::<Result<Vec<Pressed>, _>>()?;

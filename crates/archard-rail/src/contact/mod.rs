@@ -1,7 +1,8 @@
 //! The contact of a wheel with its rail: the height of the wheel under its load, and pressures and friction of each patch.
 //!
 //! A patch lies in its own tangent plane. Both bodies are half-spaces there (Kalker's three-dimensional theory of steady
-//! rolling), on a grid over the overlap, with the creepages and the spin at its reference point. The height of the wheel
+//! rolling), on a grid over the overlap, with the creepages and the spin at its reference point. Where the profiles curve away from the
+//! plane the rolling radius is another one, and the wheel slips by the difference (Heathcote). The height of the wheel
 //! follows from the vertical force, to which friction in an inclined plane adds its part. Stretches of overlap that are near
 //! each other share a plane and its grid; patches with planes of their own press each other apart.
 //!
@@ -53,8 +54,29 @@ pub struct Bodies {
     pub rail: Material,
     /// Between both.
     pub friction: Arc<dyn Friction>,
+    /// Between both on the flange, where it differs, as where that is lubricated.
+    pub flange: Option<Zone>,
     /// How the wheel and the rail wear.
     pub wear: Wear,
+}
+
+/// A zone of the wheel with a friction of its own.
+#[derive(Debug, Clone)]
+pub struct Zone {
+    /// y (m) on the profile of the wheel where it begins: it reaches from there to the tip of the flange.
+    pub from: f64,
+    /// Its friction.
+    pub friction: Arc<dyn Friction>,
+}
+
+impl Bodies {
+    /// The friction of a patch whose reference point lies at that y (m) on the profile of the wheel.
+    pub fn friction_at(&self, y: f64) -> &Arc<dyn Friction> {
+        match &self.flange {
+            Some(zone) if y <= zone.from => &zone.friction,
+            _ => &self.friction,
+        }
+    }
 }
 
 /// The wear laws of the wheel and of the rail; `None` of one that does not wear.
@@ -69,6 +91,11 @@ pub struct Operation {
     pub velocity: Velocity,
     /// Vertical force (N) on the rail, greater than zero.
     pub load: f64,
+    /// How much more (N) the right wheel bears than `load`, and the left one less: what [`of_side`](Self::of_side) makes of it counts.
+    pub transfer: f64,
+    /// Creepage, lateral creepage and spin (1/m) of the own wheel and of the other one, each as its side sees it, in all patches; found
+    /// from the velocities where they are not given.
+    pub creepages: [[Option<f64>; 3]; 2],
 }
 
 impl Operation {
@@ -76,7 +103,12 @@ impl Operation {
     #[must_use]
     pub fn of_side(&self, side: Side) -> Self {
         let (attitude, velocity) = (side.attitude(self.attitude), side.velocity(self.velocity));
-        Self { attitude, velocity, load: self.load }
+        let [own, other] = self.creepages;
+        let (share, creepages) = match side {
+            Side::Right => (self.transfer, [own, other]),
+            Side::Left => (-self.transfer, [other, own]),
+        };
+        Self { attitude, velocity, load: self.load + share, transfer: 0.0, creepages }
     }
 }
 
@@ -88,6 +120,8 @@ pub struct Resolution {
     pub elements: usize,
     /// Distance (m) from edge to edge up to which two stretches of overlap are one patch.
     pub join: f64,
+    /// Whether the rolling radius differs over a patch as it does on the profiles; without, it is that of the tangent plane.
+    pub curved: bool,
 }
 
 impl Resolution {
@@ -107,7 +141,7 @@ impl Resolution {
 
 impl Default for Resolution {
     fn default() -> Self {
-        Self { elements: 32, join: JOIN }
+        Self { elements: 32, join: JOIN, curved: true }
     }
 }
 
@@ -137,7 +171,7 @@ pub fn contact(
     resolution: &Resolution,
 ) -> Result<Vec<Patch>, ContactError> {
     let elements = resolution.checked()?.elements;
-    let loaded = Loaded::new(setup, bodies, operation, resolution.join)?;
+    let loaded = Loaded::new(setup, bodies, operation, resolution)?;
     let mut guess = loaded.guess();
     let mut grids = vec![];
     for elements in [elements / 4, elements / 2, elements] {

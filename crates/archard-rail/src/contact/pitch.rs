@@ -39,7 +39,7 @@ pub fn pitch(
         let turning = Operation { velocity, ..*operation };
         let of = |(setup, side): (&Setup, Side)| {
             let own = turning.of_side(side);
-            let loaded = Loaded::new(setup, bodies, &own, resolution.join)?;
+            let loaded = Loaded::new(setup, bodies, &own, resolution)?;
             let (_, patches) = loaded.on(resolution.elements, loaded.guess())?;
             Ok::<f64, ContactError>(
                 patches.iter().map(|patch| about_the_axle(&loaded, patch)).sum(),

@@ -8,10 +8,9 @@ use archard::simulation::{Builder, Refused, WornLine};
 use archard::{Body, Contact, ContactFrame};
 
 use super::lattice::Lattice;
-use super::{Bodies, ContactError, Wear};
+use super::{Bodies, ContactError, Operation, Wear};
 use crate::creepage::Creepage;
 use crate::search::{Patch, Search};
-use crate::setup::Velocity;
 
 /// A patch of overlap with its grid.
 #[derive(Debug)]
@@ -57,6 +56,22 @@ pub struct PatchMap {
     pub slip: [Vec<f64>; 2],
 }
 
+/// Half of the second derivative of the parabola nearest to places: weights, and abscissas and ordinates from anywhere; 0 of fewer than
+/// three.
+fn parabola(places: &[(f64, f64, f64)]) -> f64 {
+    let mean = |of: &dyn Fn(f64, f64) -> f64| {
+        let sum = places.iter().map(|&(weight, x, y)| weight * of(x, y)).sum::<f64>();
+        sum / places.iter().map(|(weight, ..)| weight).sum::<f64>()
+    };
+    let middle = mean(&|x, _| x);
+    let width = mean(&|x, _| (x - middle).powi(2));
+    // The square less the nearest line of it, which is at right angles to all lines.
+    let skew = mean(&|x, _| (x - middle).powi(3)) / width;
+    let square = |x: f64| (x - middle).powi(2) - width - skew * (x - middle);
+    let found = mean(&|x, y| square(x) * y) / mean(&|x, _| square(x).powi(2));
+    if found.is_finite() { found } else { 0.0 }
+}
+
 impl Pressed {
     /// What it takes of the vertical load (N).
     pub fn vertical(&self) -> f64 {
@@ -85,11 +100,12 @@ impl Site {
     pub fn press(
         self,
         search: &Search<'_>,
-        (velocity, bodies): (&Velocity, &Bodies),
+        (operation, bodies, curved): (&Operation, &Bodies, bool),
         apart: f64,
     ) -> Result<Pressed, ContactError> {
         let approach = self.lattice.approach();
-        let creepage = Creepage::new(search, &self.patch, velocity, approach);
+        let creepage = Creepage::new(search, &self.patch, &operation.velocity, approach)
+            .prescribed(operation.creepages[0]);
         if approach <= apart {
             return Ok(self.light(creepage));
         }
@@ -97,9 +113,11 @@ impl Site {
             .longitudinal(Drive::Slip(creepage.longitudinal))
             .lateral(Drive::Slip(creepage.lateral))
             .spin(creepage.spin)
+            .bow(if curved { self.bow(search) } else { 0.0 })
             .at_speed(creepage.speed);
         let mut builder = self.contact(rolling, approach - apart, (bodies, &bodies.wear))?;
-        builder.friction = Some(bodies.friction.clone());
+        let y = search.in_wheel(self.patch.reference, self.patch.height).y;
+        builder.friction = Some(bodies.friction_at(y).clone());
         let contact = builder.solve()?;
         let wears = bodies.wear.iter().any(Option::is_some);
         let worn = if wears { contact.passage()? } else { vec![] };
@@ -142,6 +160,25 @@ impl Site {
             patch: self.patch,
             creepage,
         })
+    }
+
+    /// What the creepage gains with the square of s (1/m^2), as the surface between wheel and rail leaves the tangent plane: a point that
+    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more. The curvature is that of the parabola
+    /// nearest to the surface, weighted by the overlap.
+    fn bow(&self, search: &Search<'_>) -> f64 {
+        let (sin, cos) = self.patch.angle.sin_cos();
+        let reference = self.patch.reference;
+        let [columns, rows] = self.lattice.elements;
+        let place = |row: usize| {
+            let overlap = self.lattice.overlap(columns / 2 + columns * row);
+            let [y, z] = search.on_rail(reference.y + self.lattice.across(row) * cos)?;
+            let (y, z) = (y - reference.y, z - reference.z);
+            let (s, below) = (y * cos + z * sin, z * cos - y * sin);
+            // Halfway between both.
+            (overlap > 0.0).then_some((overlap, s, below + 0.5 * overlap))
+        };
+        let places: Vec<(f64, f64, f64)> = (0..rows).filter_map(place).collect();
+        parabola(&places) * cos / search.setup().wheelset().nominal_radius
     }
 
     /// How much the inclination of the rail (rad) differs over the rows in contact, which may not reach the end of a profile.

@@ -39,7 +39,7 @@ pub fn sampled(
     resolution: &Resolution,
 ) -> Result<Vec<Patch>, ContactError> {
     let found = setups.iter().map(|setup| {
-        let loaded = Loaded::new(setup, bodies, operation, resolution.join)?;
+        let loaded = Loaded::new(setup, bodies, operation, resolution)?;
         let (_, pressed) = loaded.on(resolution.elements / 2, loaded.guess())?;
         let borne = pressed.iter().filter(|patch| patch.normal > 0.0);
         Ok(borne.map(|patch| loaded.tell(patch)).collect())

@@ -121,6 +121,12 @@ impl<'a> Search<'a> {
         Some(Onset { height: at.gap, at })
     }
 
+    /// The point (y and z, m, in the track) of the top of the rail at that y (m), if it reaches there.
+    pub(crate) fn on_rail(&self, y: f64) -> Option<[f64; 2]> {
+        let rail = self.setup.rail();
+        Some(rail.point(self.top.below(rail, y)?))
+    }
+
     /// The angle (rad) by which the top of the rail is turned about x at that y (m), if it reaches there.
     pub fn inclination(&self, y: f64) -> Option<f64> {
         let rail = self.setup.rail();

@@ -7,8 +7,9 @@ use crate::setup::Side;
 /// The names of what is told of a side, each with its unit, in the order of [`Told::values`].
 ///
 /// Of the wheel the worn area of its section, its worn volume, its largest depth, the depth at the datum of the tread (y = 0), and
-/// height, thickness and gradient of the [`Flange`]; of the rail the worn area and the largest depth.
-pub const COLUMNS: [&str; 9] = [
+/// height, thickness and gradient of the [`Flange`]; of the rail the worn area and the largest depth;
+/// of both the equivalent conicity, if it is asked for.
+pub const COLUMNS: [&str; 10] = [
     "wheel_worn_area_m2",
     "wheel_worn_volume_m3",
     "wheel_depth_m",
@@ -18,6 +19,7 @@ pub const COLUMNS: [&str; 9] = [
     "flange_gradient_m",
     "rail_worn_area_m2",
     "rail_depth_m",
+    "equivalent_conicity",
 ];
 
 /// What is told of a side at a share of the distance.
@@ -32,7 +34,7 @@ pub struct Told {
 }
 
 impl Worn {
-    /// What is told of it by [`COLUMNS`], for a wheel whose back lies at that y (m).
+    /// What is told of it by all of [`COLUMNS`] but the last, for a wheel whose back lies at that y (m).
     pub fn told(&self, back: f64) -> Vec<f64> {
         let deepest = |depths: Vec<f64>| depths.into_iter().fold(0.0, f64::max);
         let flange = Flange::of(self.wheel.curve(), back);

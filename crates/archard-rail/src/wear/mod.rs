@@ -16,11 +16,14 @@
 
 mod course;
 mod filter;
+mod limits;
 mod march;
 mod rates;
+mod work;
 mod worn_profile;
 
 pub use course::{COLUMNS, Told};
+pub use limits::Limit;
 pub use march::Step;
 pub use worn_profile::WornProfile;
 
@@ -31,7 +34,8 @@ use archard::friction::Friction;
 use archard::parameters::Invalid;
 
 use crate::bounds;
-use crate::contact::{Bodies, ContactError, Resolution};
+use crate::conicity::equivalent_conicity;
+use crate::contact::{Bodies, ContactError, Resolution, Zone};
 use crate::profile::Part;
 use crate::setup::{Attitude, Setup, Side, Velocity};
 
@@ -46,10 +50,16 @@ pub struct OperatingPoint {
     pub velocity: Velocity,
     /// Moment (N m) that drives the wheelset forward, or brakes it; the pitch follows from it.
     pub moment: Option<f64>,
-    /// Vertical force (N) on each wheel.
+    /// Vertical force (N) on each wheel, the mean of both.
     pub load: f64,
+    /// How much more (N) the right wheel bears, and the left one less.
+    pub transfer: f64,
+    /// Creepages that are prescribed, as in [`Operation`](crate::contact::Operation).
+    pub creepages: [[Option<f64>; 3]; 2],
     /// Friction between wheel and rail.
     pub friction: Arc<dyn Friction>,
+    /// Friction on the flange, where it differs.
+    pub flange: Option<Zone>,
     /// Share of the distance, greater than zero; shares add up to one.
     pub share: f64,
 }
@@ -116,6 +126,9 @@ pub struct Journey {
     pub tolerance: f64,
     /// Waves (m) of the worn depth that keep half of their height.
     pub smoothing: f64,
+    /// Amplitude (m) of the lateral motion for which the equivalent conicity is told after each step; `None` of none, which takes less
+    /// time.
+    pub amplitude: Option<f64>,
 }
 
 /// Wheel and rail of a side.
@@ -245,7 +258,7 @@ impl Journey {
         mut watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<Travelled, WearError> {
         let Self { route, resolution, .. } = self.clone().checked()?;
-        let Resolution { elements, join } = resolution;
+        let Resolution { elements, .. } = resolution;
         if self.bodies.wear.iter().all(Option::is_none) {
             return Err(WearError::Unworn);
         }
@@ -253,16 +266,17 @@ impl Journey {
         let mut pass = |pass, elements, tolerance| {
             let journey = Self {
                 route: route.clone(),
-                resolution: Resolution { elements, join },
+                resolution: Resolution { elements, ..resolution },
                 tolerance,
                 ..self.clone()
             };
             let mut told = vec![];
             let gone = journey.march(|step| {
+                let conicity = journey.conicity(step.worn);
                 let of = |one: &Worn| Told {
                     progress: step.progress,
                     side: one.side,
-                    values: one.told(back),
+                    values: [one.told(back), vec![conicity]].concat(),
                 };
                 told.extend(step.worn.iter().map(of));
                 watch(pass, step)
@@ -282,6 +296,16 @@ impl Journey {
             off: fine.off,
             told: [told, of_coarse, of_hasty],
         })
+    }
+
+    /// The equivalent conicity of worn profiles; not a number where nobody asks for it, or the wheelset does not steer itself back.
+    fn conicity(&self, worn: &[Worn]) -> f64 {
+        let setup = |one: &Worn| self.setup.worn(one.rail.curve(), one.wheel.curve());
+        let of = |amplitude| {
+            let setups: Vec<Setup> = worn.iter().map(setup).collect();
+            equivalent_conicity(Side::both(&self.sides, &setups), amplitude).ok()
+        };
+        self.amplitude.and_then(of).unwrap_or(f64::NAN)
     }
 
     /// The profiles as they are before the first metre.

@@ -20,6 +20,12 @@ type AtPoint = (Vec<Strips>, f64);
 type Strips = [Vec<([f64; 2], f64)>; 2];
 
 impl OperatingPoint {
+    /// Those bodies with the friction of this point.
+    pub fn between(&self, bodies: &Bodies) -> Bodies {
+        let Self { friction, flange, .. } = self.clone();
+        Bodies { friction, flange, ..bodies.clone() }
+    }
+
     /// How the wheelset stands and runs, as the right side sees it: the roll at which both wheels begin to touch at one height, and
     /// the pitch at which they bear the moment, where they are asked for.
     ///
@@ -31,11 +37,11 @@ impl OperatingPoint {
         bodies: &Bodies,
         resolution: &Resolution,
     ) -> Result<Operation, ContactError> {
-        let Self { mut attitude, velocity, load, .. } = *self;
+        let Self { mut attitude, velocity, load, transfer, creepages, .. } = *self;
         if !self.rolls {
             attitude.roll = right.roll(left, attitude.shift, attitude.yaw)?;
         }
-        let mut operation = Operation { attitude, velocity, load };
+        let mut operation = Operation { attitude, velocity, load, transfer, creepages };
         if let Some(moment) = self.moment {
             // Without wear laws, which have no say.
             let bodies = Bodies { wear: [None, None], ..bodies.clone() };
@@ -92,12 +98,12 @@ impl Journey {
         depths: &mut [Option<f64>],
     ) -> Result<AtPoint, ContactError> {
         let both = Side::both(&self.sides, setups);
-        let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
+        let bodies = point.between(&self.bodies);
         let operation = point.operation(both, &bodies, &self.resolution)?;
         let mut off = 0.0f64;
         let of_side = |(at, setup): (usize, &Setup)| {
             let operation = operation.of_side(self.sides[at]);
-            let loaded = Loaded::new(setup, &bodies, &operation, self.resolution.join)?;
+            let loaded = Loaded::new(setup, &bodies, &operation, &self.resolution)?;
             let guess = depths[at].unwrap_or_else(|| loaded.guess());
             let (down, patches) = loaded.on(self.resolution.elements, guess)?;
             depths[at] = Some(down);

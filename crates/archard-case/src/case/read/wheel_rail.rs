@@ -4,12 +4,12 @@ use super::super::key::is_bare;
 use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::{Entry, Item};
-use super::super::wheel_rail::{RAILS, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase};
-use archard::parameters::Choice;
+use super::super::wheel_rail::{LIMITS, RAILS, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase};
+use archard::parameters::{Choice, Values};
 use archard_rail::contact::Resolution;
 
 /// The tables of such a case.
-const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion"];
+const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion", "until"];
 /// What a wheel or a rail may have.
 const OF_BODIES: &[&str] = &["material", "profile", "wear"];
 
@@ -43,7 +43,17 @@ impl Reader<'_> {
             Some(_) => self.friction(root).flatten(),
         };
         let elements = self.elements_of_patches(root);
+        let before = self.problems.len();
+        let until = match root.get("until") {
+            None => Values::default(),
+            Some((key, entry)) => {
+                let section = self.as_table(key, &entry.node)?;
+                self.values(&section, LIMITS).0
+            }
+        };
+        let until = (self.problems.len() == before).then_some(until);
         Some(WheelRailCase {
+            until: until?,
             title: title?,
             wheel: wheel?,
             rail: rail?,

@@ -1,6 +1,8 @@
 //! A case of a railway wheel on its rail: what to compute, in SI, and what to expect.
 
 mod forecast;
+mod history;
+mod limits;
 mod prepared;
 mod print;
 mod running;
@@ -11,16 +13,17 @@ use std::sync::Arc;
 
 use archard::body::Material;
 use archard::friction::Friction;
-use archard::parameters::Invalid;
+use archard::parameters::{Invalid, Values};
 use archard::wear::{Input, WearLaw};
 use archard_rail::contact::{Bodies, ContactError, Resolution};
 use archard_rail::curve::Curve;
-use archard_rail::flange;
+use archard_rail::flange::{self, Flange};
 use archard_rail::search::Onset;
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
 use archard_rail::wear::{Pass, Step, WearError};
 
 pub use forecast::WheelRailForecast;
+pub use limits::LIMITS;
 pub use prepared::Prepared;
 pub use running::{Running, State, WHEEL_RAIL};
 pub use shape::{RAILS, RailShape, Shape, WHEELS, WheelShape};
@@ -59,6 +62,8 @@ pub struct WheelRailCase {
     pub friction: Chosen<Box<dyn Friction>>,
     /// How the wheelset stands and runs.
     pub motion: Chosen<Running>,
+    /// Limits of the wheel in service, by [`LIMITS`].
+    pub until: Values,
     /// Elements along x, and as many across, over the overlap of each patch, where they are given.
     pub elements: Option<usize>,
 }
@@ -164,6 +169,7 @@ impl WheelRailCase {
             wheel: self.wheel.material,
             rail: self.rail.material,
             friction: friction.into(),
+            flange: None,
             wear: [
                 law(&self.wheel.wear, &self.wheel.name)?,
                 law(&self.rail.wear, &self.rail.name)?,
@@ -172,7 +178,9 @@ impl WheelRailCase {
         let mut resolution = Resolution { join: running.join, ..Resolution::default() };
         resolution.elements = self.elements.unwrap_or(resolution.elements);
         let formats = [wheel.shape.format, rail.shape.format];
-        let prepared = Prepared { setup, samples, hardness, bodies, resolution, running, formats };
+        let limits = limits::limits(&self.until, wheel.radius);
+        let prepared =
+            Prepared { setup, samples, hardness, bodies, resolution, running, limits, formats };
         self.hold(&prepared)?;
         Ok(prepared)
     }
@@ -195,9 +203,46 @@ impl WheelRailCase {
         Err(Problem::error(Key::of(["body", &self.wheel.name, "profile", "wheel"]), message))
     }
 
+    /// Refuses limits of a wheel that does not wear, and those that it is beyond from the first.
+    fn hold_limits(&self, prepared: &Prepared) -> Result<(), Problem> {
+        let until = Key::of(["until"]);
+        if !prepared.wears()[0] {
+            let message = format!("`{}` has no wear law: it reaches no limit", self.wheel.name);
+            return Err(Problem::error(until, message));
+        }
+        let setup = &prepared.setup;
+        let flange = Flange::of(setup.wheel(), setup.wheelset().flange_back_position);
+        for limit in &prepared.limits {
+            let key = limit.column.strip_suffix("_m").unwrap_or(limit.column);
+            let new = match (key, &flange) {
+                ("flange_thickness", Some(flange)) => flange.thickness,
+                ("flange_height", Some(flange)) => flange.height,
+                ("flange_gradient", Some(flange)) => flange.gradient,
+                (flange, None) if flange.starts_with("flange") => {
+                    let message = "the wheel has no flange, or no tread at y = 0";
+                    return Err(Problem::error(until.child(key), message));
+                }
+                _ => continue,
+            };
+            if limit.is_reached(new) {
+                let message = format!(
+                    "the new wheel has {:.2} mm, beyond the limit of {:.2} mm",
+                    1e3 * new,
+                    1e3 * limit.value
+                );
+                let given = if self.until.number(key).is_some() { key } else { "standard" };
+                return Err(Problem::error(until.child(given), message));
+            }
+        }
+        Ok(())
+    }
+
     /// Refuses what wears without a distance, and laws that ask for what a profile does not keep.
     fn hold(&self, prepared: &Prepared) -> Result<(), Problem> {
         let Running { distance, axles, .. } = prepared.running;
+        if !prepared.limits.is_empty() {
+            self.hold_limits(prepared)?;
+        }
         let motion = Key::of(["motion", "wheel_rail"]);
         let extents = [
             (distance, "distance", "how far the wheel runs"),
@@ -279,7 +324,8 @@ impl WheelRailCase {
     /// The files of its results but for the case, by their names in the folder.
     pub(super) fn files(&self) -> Vec<String> {
         let files = |prepared: Prepared| {
-            rail_files(prepared.wears(), &prepared.running.sides, prepared.formats)
+            let Running { sides, within, .. } = &prepared.running;
+            rail_files(prepared.wears(), sides, prepared.formats, within.is_some())
         };
         self.prepare().map(files).unwrap_or_default()
     }

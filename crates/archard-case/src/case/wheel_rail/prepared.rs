@@ -4,16 +4,20 @@ use std::ops::ControlFlow;
 
 use archard::parameters::Invalid;
 use archard_rail::conicity::equivalent_conicity;
-use archard_rail::contact::{self, Bodies, Resolution};
+use archard_rail::contact::{self, Bodies, ContactError, Resolution};
 use archard_rail::file::Format;
+use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
-use archard_rail::wear::{Journey, Pass, Route, Step, Worn, error_of};
+use archard_rail::wear::{Journey, Limit, Pass, Route, Step, Worn, error_of};
 use rayon::prelude::*;
 
 use super::RailError;
 use super::forecast::AMPLITUDE;
-use super::running::{Running, State};
-use crate::output::{AtPoint, Flank, RailContact, RailResults, RailWear};
+use super::limits;
+use super::running::{Columns, Running, State, title};
+use crate::output::{
+    AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailResults, RailWear,
+};
 
 /// A wheel over its rail, ready to be pressed on in any state.
 #[derive(Debug, Clone)]
@@ -25,6 +29,8 @@ pub struct Prepared {
     pub(super) hardness: Option<f64>,
     pub(super) bodies: Bodies,
     pub(super) resolution: Resolution,
+    /// Limits of the wheel in service.
+    pub(super) limits: Vec<Limit>,
     /// How the case has the wheelset stand and run.
     pub running: Running,
     /// The formats in which the profiles of the wheel and of the rail were read.
@@ -45,6 +51,12 @@ impl Prepared {
         &self,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
+        if let Some(within) = self.running.within {
+            let (route, history) = self.gathered(within)?;
+            let running = Running { route, within: None, ..self.running.clone() };
+            let results = Self { running, ..self.clone() }.solve(watch)?;
+            return Ok(RailResults { history: Some(history), ..results });
+        }
         if self.wears() == [false; 2] {
             return Ok(self.results(self.all(None)?, None));
         }
@@ -65,7 +77,9 @@ impl Prepared {
             [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| conicity(Some(worn)));
         let error = fine.zip(coarse).zip(hasty);
         let error = error.map(|((fine, coarse), hasty)| error_of([fine, coarse, hasty]));
+        let lives = Life::of(&self.limits, &self.running.sides, &travelled);
         let wear = RailWear {
+            lives,
             extent: [journey.route.distance, journey.route.axles],
             wears: self.wears(),
             conicity: [conicity(None), fine, error],
@@ -76,7 +90,40 @@ impl Prepared {
     }
 
     fn results(&self, contacts: Vec<RailContact>, wear: Option<RailWear>) -> RailResults {
-        RailResults { contacts, flank: self.flank(), hardness: self.hardness, wear }
+        let (flank, hardness) = (self.flank(), self.hardness);
+        RailResults { contacts, flank, hardness, wear, history: None }
+    }
+
+    /// The route that stands for the steps of a history, and what it loses.
+    fn gathered(&self, within: f64) -> Result<(Columns, RailHistory), RailError> {
+        let journey = self.journey()?;
+        let columns: Vec<_> =
+            self.running.route.iter().filter(|(name, _)| name != "share").collect();
+        let shares = journey.route.points.iter().map(|point| point.share);
+        let values =
+            |row: usize| columns.iter().map(|(_, values)| values[row]).collect::<Vec<f64>>();
+        let steps = shares.enumerate().map(|(row, share)| (share, values(row)));
+        let steps: Vec<gather::Step> = steps.collect();
+        let work = |values: &[f64]| -> Result<Vec<f64>, ContactError> {
+            let mut state = self.running.state;
+            for ((name, _), value) in columns.iter().zip(values) {
+                state.set(name, *value)?;
+            }
+            let point = state.point(self.setup.wheelset(), &self.bodies.friction)?;
+            journey.work(&point)
+        };
+        let gathered = gather::gather(&steps, within, work);
+        let Gathered { mut points, loss } =
+            gathered.map_err(|cause| RailError::Contact { point: None, cause: Box::new(cause) })?;
+        points.sort_by(|one, other| other.weight.total_cmp(&one.weight));
+        let mut route: Columns =
+            vec![("share".to_owned(), points.iter().map(|one| one.weight).collect())];
+        for (at, (name, _)) in columns.iter().enumerate() {
+            route.push((name.clone(), points.iter().map(|one| one.values[at]).collect()));
+        }
+        let names = route.iter().map(|(name, _)| title(name));
+        let rows = names.zip(route.iter().map(|(_, values)| values.clone())).collect();
+        Ok((route, RailHistory { steps: steps.len(), loss, rows }))
     }
 
     /// The steepest place of the flange, between its tip, the lowest point of the wheel, and the tread.
@@ -127,9 +174,8 @@ impl Prepared {
     ) -> Result<Vec<RailContact>, RailError> {
         let point = at.map(|at| at.point);
         let wrong = |cause| RailError::Contact { point, cause: Box::new(cause) };
-        let radius = self.setup.wheelset().nominal_radius;
-        let operating = state.point(radius, &self.bodies.friction)?;
-        let bodies = Bodies { friction: operating.friction.clone(), ..self.bodies.clone() };
+        let operating = state.point(self.setup.wheelset(), &self.bodies.friction)?;
+        let bodies = operating.between(&self.bodies);
         let both = Side::both(&self.running.sides, setups);
         let mut operation = operating.operation(both, &bodies, &self.resolution).map_err(wrong)?;
         if at.is_none() && !operating.rolls {
@@ -152,9 +198,9 @@ impl Prepared {
                 one.values.contact_angle.abs().total_cmp(&other.values.contact_angle.abs())
             });
             let peak = steepest.map(|patch| patch.values.peak_pressure).filter(|peak| *peak > 0.0);
-            let nadal = flank
-                .zip(peak)
-                .and_then(|(flank, peak)| flank.nadal(bodies.friction.limit(peak) / peak));
+            let nadal = flank.zip(peak).and_then(|(flank, peak)| {
+                flank.nadal(bodies.friction_at(flank.y).limit(peak) / peak)
+            });
             Ok(RailContact { at, side: *side, load: own.load, nadal, patches })
         };
         self.running.sides.iter().zip(setups).map(solve).collect()
@@ -169,11 +215,21 @@ impl Prepared {
         (0..self.running.sides.len()).map(side).collect()
     }
 
+    /// Whether a limit asks for the conicity after each step.
+    fn weaves(&self) -> bool {
+        self.limits.iter().any(|limit| limit.column == limits::CONICITY)
+    }
+
     /// The wheelset and its route.
     pub(super) fn journey(&self) -> Result<Journey, Invalid> {
-        let radius = self.setup.wheelset().nominal_radius;
         let states = self.running.states()?;
-        let points = states.iter().map(|state| state.point(radius, &self.bodies.friction));
+        let wheelset = self.setup.wheelset();
+        let points = states.iter().enumerate().map(|(row, state)| {
+            let named = |error: Invalid| {
+                Invalid::new(error.parameter, format!("point {}: {}", row + 1, error.message))
+            };
+            state.point(wheelset, &self.bodies.friction).map_err(named)
+        });
         let route = Route {
             points: points.collect::<Result<_, _>>()?,
             distance: self.running.distance.unwrap_or(0.0),
@@ -187,6 +243,7 @@ impl Prepared {
             resolution: self.resolution,
             tolerance: self.running.tolerance,
             smoothing: self.running.wear_smoothing,
+            amplitude: self.weaves().then_some(AMPLITUDE),
         }
         .checked()
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{Rolled, WheelRailCase};
+use super::{LIMITS, Rolled, WheelRailCase};
 use crate::case::print::{number, print_chosen, quoted, si};
 
 impl Display for WheelRailCase {
@@ -16,7 +16,17 @@ impl Display for WheelRailCase {
             writeln!(f, "frame.elements = {elements}")?;
         }
         print_chosen(f, "friction", &self.friction)?;
-        print_chosen(f, "motion", &self.motion)
+        print_chosen(f, "motion", &self.motion)?;
+        for parameter in LIMITS {
+            let key = parameter.name;
+            match (self.until.number(key), self.until.word(key), parameter.quantity.unit()) {
+                (Some(value), _, "") => writeln!(f, "until.{key} = {}", number(value))?,
+                (Some(value), _, unit) => writeln!(f, "until.{key} = {}", si(value, unit))?,
+                (None, Some(word), _) => writeln!(f, "until.{key} = {}", quoted(word))?,
+                (None, None, _) => {}
+            }
+        }
+        Ok(())
     }
 }
 

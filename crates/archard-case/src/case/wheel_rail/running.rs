@@ -4,9 +4,15 @@ use std::sync::Arc;
 
 use archard::friction::{Coulomb, Friction};
 use archard::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+use archard_rail::contact::Zone;
 use archard_rail::search;
-use archard_rail::setup::{Attitude, Side, Track, Velocity};
+use archard_rail::setup::{Attitude, Side, Track, Velocity, Wheelset};
 use archard_rail::wear::OperatingPoint;
+
+use super::history::{HISTORY, History};
+
+/// Columns (SI) by their names.
+pub type Columns = Vec<(String, Vec<f64>)>;
 
 /// How a wheelset stands on its track and runs.
 #[derive(Debug, Clone)]
@@ -22,7 +28,9 @@ pub struct Running {
     /// Distance (m) up to which overlaps are one patch.
     pub join: f64,
     /// The points of a route by their columns (SI), which count in the place of what is here; none without a route.
-    pub route: Vec<(String, Vec<f64>)>,
+    pub route: Columns,
+    /// Of a history, whose steps the route has, what points in their place may lose.
+    pub within: Option<f64>,
     /// Distance (m) that the wheelset runs.
     pub distance: Option<f64>,
     /// Axles that pass the rail.
@@ -36,8 +44,16 @@ pub struct Running {
 /// How a wheelset stands and runs at a point of its route.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
-    /// The vertical force (N) on each wheel.
+    /// The vertical force (N) on each wheel, the mean of both.
     pub load: f64,
+    /// How much more (N) the right wheel bears, and the left one less.
+    pub transfer: f64,
+    /// How much higher (m) the left rail is than the right one.
+    pub superelevation: f64,
+    /// Height (m) of the centre of mass over the rails.
+    pub centre_height: f64,
+    /// Creepage, lateral creepage and spin (1/m) of the right and of the left wheel where they are prescribed, as their sides see them.
+    pub creepages: [[Option<f64>; 3]; 2],
     /// Shift and yaw, and the roll where it is given.
     pub attitude: Attitude,
     /// Whether the roll is given.
@@ -52,12 +68,16 @@ pub struct State {
     pub curvature: f64,
     /// Coefficient of friction in the place of the law's.
     pub friction: Option<f64>,
+    /// Coefficient of friction on the flange, where it differs.
+    pub flange_friction: Option<f64>,
+    /// y (m) on the profile of the wheel where the flange begins that has it.
+    pub flange_from: f64,
     /// Share of the distance.
     pub share: f64,
 }
 
 /// What may differ from point to point of a route: the name of a column and its quantity.
-const COLUMNS: &[(&str, Quantity)] = &[
+pub(super) const COLUMNS: &[(&str, Quantity)] = &[
     ("share", Quantity::Number),
     ("shift", Quantity::Length),
     ("yaw", Quantity::Angle),
@@ -65,6 +85,7 @@ const COLUMNS: &[(&str, Quantity)] = &[
     ("curvature", Quantity::Curvature),
     ("wheel_load", Quantity::Force),
     ("friction", Quantity::Number),
+    ("flange_friction", Quantity::Number),
     ("speed", Quantity::Speed),
     ("lateral_speed", Quantity::Speed),
     ("vertical_speed", Quantity::Speed),
@@ -72,7 +93,30 @@ const COLUMNS: &[(&str, Quantity)] = &[
     ("axle_moment", MOMENT),
     ("yaw_rate", RATE),
     ("roll_rate", RATE),
+    ("load_transfer", Quantity::Force),
+    ("superelevation", Quantity::Length),
+    ("creepage_right", Quantity::Number),
+    ("lateral_creepage_right", Quantity::Number),
+    ("spin_right", Quantity::Curvature),
+    ("creepage_left", Quantity::Number),
+    ("lateral_creepage_left", Quantity::Number),
+    ("spin_left", Quantity::Curvature),
 ];
+/// The title of a column of a route, with its SI unit.
+pub(super) fn title(name: &str) -> String {
+    let known = COLUMNS.iter().find(|(known, _)| *known == name);
+    match known.map_or("", |(_, quantity)| quantity.unit()) {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
+}
+/// The columns of prescribed creepages of the right and of the left wheel.
+const CREEPAGES: [[&str; 3]; 2] = [
+    ["creepage_right", "lateral_creepage_right", "spin_right"],
+    ["creepage_left", "lateral_creepage_left", "spin_left"],
+];
+/// Acceleration (m/s^2) of gravity.
+const GRAVITY: f64 = 9.80665;
 
 impl State {
     /// Puts a value (SI) in the place of the one of that name.
@@ -97,7 +141,10 @@ impl State {
             }
             "curvature" => &mut self.curvature,
             "wheel_load" => load,
+            "load_transfer" => &mut self.transfer,
+            "superelevation" => &mut self.superelevation,
             "friction" => self.friction.insert(value),
+            "flange_friction" => self.flange_friction.insert(value),
             "speed" => &mut velocity.forward,
             "lateral_speed" => &mut velocity.lateral,
             "vertical_speed" => &mut velocity.vertical,
@@ -112,6 +159,10 @@ impl State {
             "yaw_rate" => &mut velocity.yaw,
             "roll_rate" => &mut velocity.roll,
             _ => {
+                if let Some([side, at]) = creepage(name) {
+                    self.creepages[side][at] = Some(value);
+                    return Ok(());
+                }
                 let known = COLUMNS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
                 let message = format!("`{name}` is no value of a point: {known}");
                 return Err(Invalid::new("value", message));
@@ -121,15 +172,40 @@ impl State {
         Ok(())
     }
 
-    /// As an operating point, for a wheel of that radius (m) and a law of friction where no coefficient is given.
+    /// How much more (N) the right wheel bears than half of both in a curve: what is given, and by the quasi-static balance of the centre
+    /// of mass on wheels that roll so far (m) from each other.
+    fn transferred(&self, apart: f64) -> f64 {
+        // Outwards, to the left where the track curves to the right.
+        let uncompensated =
+            self.velocity.forward.powi(2) * self.curvature / GRAVITY - self.superelevation / apart;
+        self.transfer - 2.0 * self.load * uncompensated * self.centre_height / apart
+    }
+
+    /// As an operating point, for a wheelset and a law of friction where no coefficient is given.
     ///
     /// # Errors
-    /// If the coefficient of friction is negative.
-    pub fn point(&self, radius: f64, law: &Arc<dyn Friction>) -> Result<OperatingPoint, Invalid> {
-        let friction: Arc<dyn Friction> = match self.friction {
-            Some(coefficient) => Arc::new(Coulomb::new(coefficient)?),
-            None => law.clone(),
+    /// If the coefficient of friction is negative, or a wheel is lifted.
+    pub fn point(
+        &self,
+        wheelset: &Wheelset,
+        law: &Arc<dyn Friction>,
+    ) -> Result<OperatingPoint, Invalid> {
+        let radius = wheelset.nominal_radius;
+        let transfer = self.transferred(2.0 * wheelset.arm());
+        if transfer.abs() >= self.load {
+            let message = format!(
+                "a transfer of {transfer:.4e} N lifts a wheel that bears {:.4e} N: look at speed, curvature, superelevation and \
+                 the height of the centre of mass",
+                self.load
+            );
+            return Err(Invalid::new("wheel_load", message));
+        }
+        let coulomb = |coefficient: f64| -> Result<Arc<dyn Friction>, Invalid> {
+            Ok(Arc::new(Coulomb::new(coefficient)?))
         };
+        let friction = self.friction.map_or_else(|| Ok(law.clone()), coulomb)?;
+        let flange = self.flange_friction.map(coulomb).transpose()?;
+        let flange = flange.map(|friction| Zone { from: self.flange_from, friction });
         let mut velocity = self.velocity;
         velocity.pitch = self.pitch.unwrap_or(-velocity.forward / radius);
         // The wheelset turns with its track: its outer wheel goes the longer way.
@@ -140,6 +216,9 @@ impl State {
             velocity,
             moment: self.moment,
             load: self.load,
+            flange,
+            transfer,
+            creepages: self.creepages,
             friction,
             share: self.share,
         })
@@ -196,8 +275,13 @@ pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
         LATERAL,
         VERTICAL,
         CURVATURE,
+        SUPERELEVATION,
+        CENTRE_HEIGHT,
+        FLANGE_FRICTION,
+        FLANGE_FROM,
         JOIN,
         ROUTE,
+        STEPS,
         DISTANCE,
         AXLES,
         TOLERANCE,
@@ -294,6 +378,34 @@ const ROUTE: Parameter = Parameter::optional(
      `friction`",
 )
 .bound(Bound::Any);
+const FLANGE_FRICTION: Parameter = Parameter::optional(
+    "flange_friction",
+    Quantity::Number,
+    "coefficient of friction on the flange, where it differs, as where it is lubricated",
+)
+.bound(Bound::NonNegative);
+const FLANGE_FROM: Parameter = Parameter::optional(
+    "flange_from",
+    Quantity::Length,
+    "y on the profile of the wheel where the flange begins that has this friction: it reaches from there to the tip",
+)
+.bound(Bound::Any);
+const STEPS: Parameter = Parameter::optional(
+    "history",
+    Quantity::Section(HISTORY),
+    "the history of a program of vehicle dynamics, gathered to the points of a route",
+);
+const SUPERELEVATION: Parameter = Parameter::optional(
+    "superelevation",
+    Quantity::Length,
+    "height of the left rail over the right one, as of a curve to the right",
+)
+.bound(Bound::Any);
+const CENTRE_HEIGHT: Parameter = Parameter::optional(
+    "centre_height",
+    Quantity::Length,
+    "height of the centre of mass over the rails: the wheels share their load in a curve by the quasi-static balance",
+);
 const DISTANCE: Parameter =
     Parameter::optional("distance", Quantity::Length, "distance that a wheel runs which wears");
 const AXLES: Parameter =
@@ -309,6 +421,12 @@ const WEAR_SMOOTHING: Parameter = Parameter::optional(
     "waves of worn depth of this length keep half of their height; 2 mm if not given",
 )
 .bound(Bound::NonNegative);
+
+/// Which side and which of its creepages a column prescribes.
+fn creepage(name: &str) -> Option<[usize; 2]> {
+    let at = |side: usize| Some([side, CREEPAGES[side].iter().position(|one| *one == name)?]);
+    at(0).or_else(|| at(1))
+}
 
 fn build(values: &Values) -> Result<Running, Invalid> {
     let or = |name, default| values.number(name).unwrap_or(default);
@@ -327,9 +445,23 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         pitch: 0.0,
     };
     let attitude = Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) };
-    let route = values.table("route").unwrap_or_default().to_vec();
+    let history = values.section("history");
+    if history.is_some() && values.table("route").is_some() {
+        return Err(Invalid::exclusive("history", "route", "keep one"));
+    }
+    let history = history.map(|own| History::read(own, velocity.forward)).transpose()?;
+    let (route, within) = match history {
+        Some(History { steps, within }) => (steps, Some(within)),
+        None => (values.table("route").unwrap_or_default().to_vec(), None),
+    };
     if values.number("pitch_rate").is_some() && values.number("axle_moment").is_some() {
         return Err(Invalid::exclusive("axle_moment", "pitch_rate", "keep one"));
+    }
+    let on_the_flange = values.number("flange_friction").is_some()
+        || route.iter().any(|(name, _)| name == "flange_friction");
+    if on_the_flange != values.number("flange_from").is_some() {
+        let message = "`flange_friction` and `flange_from`, where it begins, count together";
+        return Err(Invalid::new("flange_from", message));
     }
     let running = Running {
         sides,
@@ -337,6 +469,10 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         flange_back: [or("flange_back", 1.36), or("flange_back_position", -0.07)],
         state: State {
             load: values.require("wheel_load")?,
+            transfer: 0.0,
+            superelevation: or("superelevation", 0.0),
+            centre_height: or("centre_height", 0.0),
+            creepages: [[None; 3]; 2],
             attitude: attitude.checked()?,
             rolls: values.number("roll").is_some(),
             velocity,
@@ -344,10 +480,13 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             moment: values.number("axle_moment"),
             curvature: or("curvature", 0.0),
             friction: None,
+            flange_friction: values.number("flange_friction"),
+            flange_from: or("flange_from", 0.0),
             share: 1.0,
         },
         join: or("join", search::JOIN),
         route,
+        within,
         distance: values.number("distance"),
         axles: values.number("axles"),
         tolerance: or("tolerance", 0.01),
