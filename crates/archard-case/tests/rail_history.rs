@@ -3,7 +3,7 @@
 use std::fs;
 use std::ops::ControlFlow;
 
-use archard_case::output::RailResults;
+use archard_case::output::{Claim, RailResults, Totals, write_rail};
 use archard_case::{CaseFile, ResolvedWheelRail, Task};
 use tempfile::tempdir;
 
@@ -80,6 +80,13 @@ fn points_do_the_work_of_the_steps() {
     };
     let truth = work(&all, &own(&all).1);
     assert_eq!(own(&all).1.len(), 80);
+    // The points are written as a route.
+    let dir = tempdir().unwrap();
+    let mut claim = Claim::take(dir.path()).unwrap();
+    write_rail(&mut claim, "", &all, &Totals::default()).unwrap();
+    let written = fs::read_to_string(dir.path().join("gathered.csv")).unwrap();
+    assert!(written.starts_with("share,shift [m],yaw [rad],curvature [1/m]\n"), "{written}");
+    assert_eq!(written.lines().count(), 81);
     let mut before = 1;
     for within in [0.2, 0.05] {
         let option = format!("motion.wheel_rail.history.within={within}");

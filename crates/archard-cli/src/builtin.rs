@@ -33,7 +33,7 @@ pub const CASES: &[Builtin] = &[
         files: &[
             ("route.csv", include_bytes!("../cases/wheel_wear/route.csv")),
             ("regions.csv", include_bytes!("../cases/wheel_wear/regions.csv")),
-            ("history.csv", include_bytes!("../cases/wheel_wear/history.csv")),
+            ("run.csv", include_bytes!("../cases/wheel_wear/run.csv")),
         ],
     },
     Builtin {

@@ -45,7 +45,7 @@ pub fn run(
             let points = history.rows.first().map_or(0, |(_, values)| values.len());
             let RailHistory { steps, loss, .. } = history;
             say(&format!(
-                "history           {steps} steps, {points} points (route.csv) that lose {} %",
+                "history           {steps} steps, {points} points (gathered.csv) that lose {} %",
                 four(100.0 * loss)
             ))?;
         }

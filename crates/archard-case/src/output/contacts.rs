@@ -16,7 +16,7 @@ use archard_rail::setup::Side;
 /// The file of the patches.
 pub(super) const CONTACTS: &str = "contacts.csv";
 /// The file of the points that stand for a history.
-const ROUTE: &str = "route.csv";
+const ROUTE: &str = "gathered.csv";
 /// The folder of their maps.
 const PATCHES: &str = "patches";
 

@@ -26,6 +26,7 @@ const GIVEN: &[&str] = &[
     "patches/*.vti",
     "wear.csv",
     "dimensions.csv",
+    "gathered.csv",
     "worn_wheel_*.*",
     "worn_rail_*.*",
     // For ParaView.

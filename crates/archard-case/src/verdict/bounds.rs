@@ -417,6 +417,6 @@ pub fn climbs(patches: usize) -> Line {
 ///
 /// Above it the flange may climb: the vertical force is less than what friction and the flange's inclination hold up.
 pub fn nadal(over: f64) -> Line {
-    let text = "times Nadal's limit is the lateral over the vertical force of a wheel: its flange may climb the rail; look at `shift`, `yaw`, gauge and loads";
+    let text = "of Nadal's limit is the lateral over the vertical force of a wheel: its flange may climb the rail; look at `shift`, `yaw`, gauge and loads";
     Line::new("climb", over, Bound::AtMost([1.0, f64::INFINITY]), text)
 }
