@@ -24,6 +24,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::differences::differences;
 use super::images::Image;
 use crate::body::Material;
 
@@ -291,30 +292,12 @@ impl Influence {
             (0..self.elements[axis]).map(|index| place(axis, index).ln()).collect()
         };
         let (ln_x, ln_y) = (logarithms(0), logarithms(1));
-        let mut values: Vec<f64> = (0..nx * ny)
-            .into_par_iter()
-            .with_min_len(1024)
-            .map(|index| {
-                let (i, j) = (index % nx, index / nx);
-                let (x, y) = (place(0, i), place(1, j));
-                antiderivative(&Corner { x, y, r: x.hypot(y), ln_x: ln_x[i], ln_y: ln_y[j] })
-            })
-            .collect();
-        // Backwards, so that the corners still to be read are those not yet overwritten.
-        for j in (0..ny).rev() {
-            for i in (0..nx).rev() {
-                let here = values[i + nx * j];
-                let low = if j > 0 { values[i + nx * (j - 1)] } else { parity[1] * here };
-                let left = if i > 0 { values[i - 1 + nx * j] } else { parity[0] * here };
-                let left_low = match (i, j) {
-                    (0, _) => parity[0] * low,
-                    (_, 0) => parity[1] * left,
-                    _ => values[i - 1 + nx * (j - 1)],
-                };
-                values[i + nx * j] = (here - left) - (low - left_low);
-            }
-        }
-        values
+        let values = (0..nx * ny).into_par_iter().with_min_len(1024).map(|index| {
+            let (i, j) = (index % nx, index / nx);
+            let (x, y) = (place(0, i), place(1, j));
+            antiderivative(&Corner { x, y, r: x.hypot(y), ln_x: ln_x[i], ln_y: ln_y[j] })
+        });
+        differences(values.collect(), self.elements, parity)
     }
 }
 

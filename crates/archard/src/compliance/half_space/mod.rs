@@ -1,8 +1,10 @@
 //! Two elastic half-spaces: the uniform tractions of rectangular elements (Boussinesq, Cerruti, Love), or of strips in
 //! plane strain (Flamant), summed by fast convolution; with layers as images at depths below the surface.
 
+mod differences;
 mod images;
 mod influence;
+pub mod inside;
 mod periodic;
 mod rolling;
 mod shifting;

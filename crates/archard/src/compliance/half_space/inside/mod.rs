@@ -1,0 +1,277 @@
+//! Stresses and displacements inside a half-space, under tractions that are even on each element of a uniform frame.
+//!
+//! Sums of [rectangles](corner), or of [strips](strip) under a line of contact, are exact for such tractions: at a point
+//! ([`Below::at`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
+//! vary by within an element is [added](slope).
+
+mod corner;
+mod plane;
+mod slope;
+mod strip;
+#[cfg(test)]
+mod tests;
+
+use std::f64::consts::PI;
+
+use crate::body::Material;
+use crate::compliance::half_space::HalfSpace;
+use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::convolution::Convolution;
+
+/// Components of a stress (Pa), positive in tension, in the order xx, yy, zz, xy, xz, yz.
+pub type Components = [f64; 6];
+
+/// What is below even tractions on the elements of a uniform frame.
+///
+/// Its axes are those of the body: x and y of the frame, z = 0 on the surface and negative in the body.
+pub struct Below {
+    material: Material,
+    elements: [usize; 2],
+    /// Size of an element along x and y (m).
+    spacing: [f64; 2],
+    /// The lowest corner of the frame (m).
+    corner: [f64; 2],
+    /// Tractions on the body along x and y, and into it (Pa), one value an element.
+    tractions: [Vec<f64>; 3],
+    /// In plane strain: how far below the contact (m) displacements are measured from.
+    depth: Option<f64>,
+    /// The corners of the elements, or the edges of strips, where tractions change (m), and by how much (Pa).
+    changes: Vec<([f64; 2], [f64; 3])>,
+    convolution: Convolution,
+}
+
+impl std::fmt::Debug for Below {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Below").field("elements", &self.elements).finish_non_exhaustive()
+    }
+}
+
+impl Below {
+    /// Under tractions (Pa) on the body, along x, y and its outward normal, on a uniform frame; `None` on another one. Under a
+    /// line of contact displacements are measured from that far (m) below it.
+    pub fn new(
+        material: &Material,
+        frame: &ContactFrame,
+        tractions: &VectorField,
+        depth: f64,
+    ) -> Option<Self> {
+        let corner = frame.rectangle().corner();
+        let (elements, spacing) = (frame.elements(), frame.spacing());
+        let into = tractions.n.iter().map(|normal| -normal).collect();
+        let tractions = [tractions.t1.clone(), tractions.t2.clone(), into];
+        let depth = frame.is_line().then_some(depth);
+        frame
+            .is_uniform()
+            .then(|| Self::on(*material, (elements, spacing, corner), tractions, depth))
+    }
+
+    fn on(
+        material: Material,
+        (elements, spacing, corner): ([usize; 2], [f64; 2], [f64; 2]),
+        tractions: [Vec<f64>; 3],
+        depth: Option<f64>,
+    ) -> Self {
+        let convolution = Convolution::padded(elements);
+        let changes = vec![];
+        let mut below =
+            Self { material, elements, spacing, corner, tractions, depth, changes, convolution };
+        below.changes = below.changes();
+        below
+    }
+
+    /// Under the means of the same tractions over elements of twice the size, one more where their number is odd.
+    pub fn coarser(&self) -> Self {
+        let [nx, ny] = self.elements;
+        let line = self.depth.is_some();
+        let [mx, my] = [nx.div_ceil(2), if line { 1 } else { ny.div_ceil(2) }];
+        let spacing = [2.0 * self.spacing[0], if line { 1.0 } else { 2.0 } * self.spacing[1]];
+        let share = if line { 0.5 } else { 0.25 };
+        let mean = |own: &Vec<f64>| {
+            let mut coarse = vec![0.0; mx * my];
+            for (index, value) in own.iter().enumerate() {
+                let row = if line { 0 } else { index / nx / 2 };
+                coarse[index % nx / 2 + mx * row] += share * value;
+            }
+            coarse
+        };
+        let tractions = self.tractions.each_ref().map(mean);
+        Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth)
+    }
+
+    /// Size of an element along x and y (m), along x alone under a line of contact.
+    pub fn spacing(&self) -> [f64; 2] {
+        self.depth.map_or(self.spacing, |_| [self.spacing[0]; 2])
+    }
+
+    /// The centre of an element (m).
+    pub fn place(&self, element: usize) -> [f64; 2] {
+        let index = [element % self.elements[0], element / self.elements[0]];
+        [0, 1].map(|axis| self.corner[axis] + self.spacing[axis] * (index[axis] as f64 + 0.5))
+    }
+
+    /// Number of elements along x and y.
+    pub fn elements(&self) -> [usize; 2] {
+        self.elements
+    }
+
+    /// Pressure (Pa), one value an element.
+    pub fn pressure(&self) -> &[f64] {
+        &self.tractions[2]
+    }
+
+    /// Whether there is friction.
+    fn rubs(&self) -> bool {
+        self.tractions[..2].iter().flatten().any(|traction| *traction != 0.0)
+    }
+
+    /// Stress (Pa) at a place (m), in the body or on its surface.
+    ///
+    /// Up to an element deep it is interpolated from the centres of the elements around: the stresses of even tractions have
+    /// steps at their edges.
+    pub fn stress(&self, place: [f64; 3]) -> Components {
+        let depth = -place[2];
+        let [hx, hy] = self.spacing();
+        if depth >= hx.max(hy) {
+            return self.sum([place[0], place[1]], depth);
+        }
+        let cell = [0, 1].map(|axis| (place[axis] - self.corner[axis]) / self.spacing[axis] - 0.5);
+        let line = self.depth.is_some();
+        let mut stress = [0.0; 6];
+        for (right, above) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            let at = [cell[0].floor() + f64::from(right), cell[1].floor() + f64::from(above)];
+            let share = [0, 1].map(|axis| 1.0 - (cell[axis] - at[axis]).abs());
+            let share = if line { share[0] * f64::from(1 - above) } else { share[0] * share[1] };
+            if share > 0.0 {
+                let own = self.at_centre(at, depth);
+                stress.iter_mut().zip(own).for_each(|(sum, own)| *sum += share * own);
+            }
+        }
+        stress
+    }
+
+    /// Displacement (m) at a place (m) along x, y and z, from far away or, under a line of contact, from its depth.
+    pub fn displacement(&self, place: [f64; 3]) -> [f64; 3] {
+        let (at, z, poisson) = ([place[0], place[1]], -place[2], self.material.poisson);
+        let mut sum = match self.depth {
+            None => self.weighed(
+                at,
+                |from| corner::functions(from, z),
+                |functions| corner::displacement(functions, poisson, z),
+            ),
+            Some(_) => self.weighed(
+                at,
+                |[x, _]| strip::functions(x, z),
+                |functions| strip::displacement(functions, poisson, z),
+            ),
+        };
+        if let Some(depth) = self.depth {
+            let added = strip::from_depth(poisson, depth);
+            for axis in 0..3 {
+                let all: f64 = self.tractions[axis].iter().sum();
+                sum[axis] += added[axis] * all * self.spacing[0] / PI;
+            }
+        }
+        let shear = self.material.young / (2.0 * (1.0 + poisson));
+        let [x, y, into] = sum.map(|value| value / (2.0 * shear));
+        [x, y, -into]
+    }
+
+    /// The stress at the centre of an element, which may lie outside of the frame, `depth` (m) below it.
+    fn at_centre(&self, index: [f64; 2], depth: f64) -> Components {
+        let centre =
+            [0, 1].map(|axis| self.corner[axis] + self.spacing[axis] * (index[axis] + 0.5));
+        let mut stress = self.sum(centre, depth);
+        let counts = self.elements;
+        if (0..2).all(|axis| (0.0..counts[axis] as f64).contains(&index[axis])) {
+            let element = index[0] as usize + counts[0] * index[1] as usize;
+            let added = self.varying(depth, element);
+            stress.iter_mut().zip(added).for_each(|(sum, added)| *sum += added);
+        }
+        stress
+    }
+
+    /// The stress of even elements at a place (m) and depth (m).
+    fn sum(&self, at: [f64; 2], z: f64) -> Components {
+        let poisson = self.material.poisson;
+        let stress = match self.depth {
+            None => self.weighed(
+                at,
+                |from| corner::functions(from, z),
+                |functions| corner::stress(functions, poisson),
+            ),
+            Some(_) => self.weighed(
+                at,
+                |[x, _]| strip::functions(x, z),
+                |functions| strip::stress(functions, poisson),
+            ),
+        };
+        turned(stress)
+    }
+
+    /// What all corners do: the sums of their functions, weighed by how tractions along each axis change there, and what makes
+    /// something of them under unit tractions along each.
+    fn weighed<const F: usize, const N: usize>(
+        &self,
+        at: [f64; 2],
+        functions: impl Fn([f64; 2]) -> [f64; F],
+        made: impl Fn(&[f64; F]) -> [[f64; N]; 3],
+    ) -> [f64; N] {
+        let mut sums = [[0.0; F]; 3];
+        for (corner, change) in &self.changes {
+            let functions = functions([at[0] - corner[0], at[1] - corner[1]]);
+            for (sums, change) in sums.iter_mut().zip(change) {
+                sums.iter_mut().zip(functions).for_each(|(sum, value)| *sum += change * value);
+            }
+        }
+        let scale = if self.depth.is_some() { PI } else { 2.0 * PI };
+        let mut all = [0.0; N];
+        for (axis, sums) in sums.iter().enumerate() {
+            let own = made(sums)[axis];
+            all.iter_mut().zip(own).for_each(|(all, own)| *all += own / scale);
+        }
+        all
+    }
+
+    /// Where tractions change, and by how much.
+    fn changes(&self) -> Vec<([f64; 2], [f64; 3])> {
+        let [nx, ny] = self.elements;
+        let line = self.depth.is_some();
+        let at = |axis: usize, i: usize, j: usize| -> f64 {
+            // The element whose lowest corner this is, counted from one.
+            let inside = (1..=nx).contains(&i) && (1..=ny).contains(&j);
+            if inside { self.tractions[axis][i - 1 + nx * (j - 1)] } else { 0.0 }
+        };
+        let rows = if line { 1 } else { ny + 1 };
+        let mut changes = vec![];
+        for j in 1..=rows {
+            for i in 1..=nx + 1 {
+                let change = [0, 1, 2].map(|axis| {
+                    let [here, left] = [at(axis, i, j), at(axis, i - 1, j)];
+                    let below = at(axis, i, j - 1) - at(axis, i - 1, j - 1);
+                    if line { here - left } else { (here - left) - below }
+                });
+                if change != [0.0; 3] {
+                    let corner = [i, j].map(|index| (index - 1) as f64);
+                    let corner =
+                        [0, 1].map(|axis| self.corner[axis] + self.spacing[axis] * corner[axis]);
+                    changes.push((corner, change));
+                }
+            }
+        }
+        changes
+    }
+}
+
+/// The stress in the axes of the body, from one with z into it.
+fn turned([xx, yy, zz, xy, xz, yz]: Components) -> Components {
+    [xx, yy, zz, xy, -xz, -yz]
+}
+
+impl HalfSpace {
+    /// Up to what depth (m) the stresses under a frame are its own where pressures go on beyond it: half of its shorter side, as
+    /// deep as waves as long as that side reach.
+    pub fn known_depth(frame: &ContactFrame) -> f64 {
+        let [x, y] = frame.size();
+        0.5 * if frame.is_line() { x } else { x.min(y) }
+    }
+}
