@@ -93,7 +93,7 @@ impl Run {
         let laws = Laws { wear: laws, friction, failed: failed.clone() };
         laws.fit(&resolved.case)?;
         let case = &resolved.case;
-        let inside = Inside::at(case.points.clone()).on(case.sections.clone());
+        let inside = case.inside();
         let files = inside.files(case.bodies.each_ref().map(|body| body.name.as_str()));
         let claim = Claim::take(&folder).map_err(unwritten)?.adding(files);
         let claim = if force { claim.adopting() } else { claim };
@@ -319,12 +319,13 @@ enum Shown {
 
 /// Finishes results; stresses inside of bodies only where the run came to its end.
 fn finish(
-    results: ResultFolder,
+    mut results: ResultFolder,
     totals: Totals,
     (stage, inside): (Stage, Option<Inside>),
 ) -> Result<(), InsideError> {
     if let (Stage::Ended(run), Some(inside), None) = (&stage, inside, &totals.failure) {
-        inside.write(results.dir(), run.simulation().problem.bodies.each_ref())?;
+        let stresses = inside.write(results.dir(), &run.simulation().problem)?;
+        results.stressed(stresses);
     }
     results.finish(&totals)?;
     Ok(())

@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::Path;
 
 use archard::simulation::{Effort, Error, Observer};
-use archard_case::output::{self, Inside, Lives, Totals};
+use archard_case::output::{self, Lives, Stresses, Totals};
 use archard_case::verdict::{Verdict, Warning};
 use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -129,24 +129,24 @@ fn contact(
         Ok(Underway { folder, begun, command, warnings, bar: follower.bar() })
     };
     watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
-    let mut inside =
-        Inside::at(case.points.clone()).on(case.sections.clone()).keeping(arguments.store());
+    let mut inside = case.inside().keeping(arguments.store());
     let mut watching = watch.clone();
     let observers: &mut [&mut dyn Observer] = &mut [&mut watching, &mut follower, &mut inside];
     let outcome = match kept {
         None => simulation.run(observers),
         Some(run) => simulation.resume(&run, observers),
     };
+    let mut stresses = Stresses::default();
     let outcome = outcome.map_err(|error| failure(error, dir)).and_then(|effort| {
-        let written = inside.write(dir, simulation.problem.bodies.each_ref());
-        written.map_err(|error| Failure::wrong(error.to_string()))?;
+        let written = inside.write(dir, &simulation.problem);
+        stresses = written.map_err(|error| Failure::wrong(error.to_string()))?;
         Ok(effort)
     });
     let mut life = watch.life();
     // Of a run that failed no life is known.
     let lives = lives.filter(|_| outcome.is_ok()).map(|lives| lives.about(&life));
     lives.iter().for_each(|lives| life.scatter(lives.clone()));
-    let (totals, judged, effort) = finish(watch, lives, outcome)?;
+    let (totals, judged, effort) = finish(watch, (lives, stresses), outcome)?;
     let page = match arguments.report {
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
         false => None,
@@ -173,13 +173,14 @@ fn contact(
 /// Finishes the results of a run, whatever came of it.
 fn finish(
     watch: &Watch,
-    lives: Option<Lives>,
+    (lives, stresses): (Option<Lives>, Stresses),
     outcome: Result<Effort, Failure>,
 ) -> Result<(Totals, Verdict, Effort), Failure> {
     let Some(mut results) = watch.end() else {
         return Err(Failure::wrong("the run has no results"));
     };
     lives.into_iter().for_each(|lives| results.folder.scatter(lives));
+    results.folder.stressed(stresses);
     let cause = outcome.as_ref().err().map(Failure::cause);
     match (results.finish(cause), outcome) {
         (Ok((totals, verdict)), Ok(effort)) => Ok((totals, verdict, effort)),

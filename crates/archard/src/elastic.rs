@@ -2,10 +2,14 @@
 //!
 //! An [`ElasticBody`] is solved by boundary elements. What comes out is a [`Deformed`]: displacements,
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
-//! in contact is one too, once its tractions are known: [`Deformed::in_contact`].
+//! in contact is one too, once its tractions are known: [`Deformed::in_contact`]; of a half-space they say all: [`Pressed`].
 
+mod half_space;
+mod maxima;
 mod section;
 
+pub use half_space::{Pressed, tensor};
+pub use maxima::{Layer, MEASURES, Maxima, Maximum};
 pub use section::{Sampled, Section, SectionError};
 
 use glam::{DMat3, DVec3};
@@ -95,6 +99,15 @@ pub enum ElasticError {
         .point.name, .point.place[0], .point.place[1], .point.place[2]
     )]
     Outside {
+        /// The point.
+        point: Point,
+    },
+    /// The stress at a point depends on pressures beyond the frame.
+    #[error(
+        "the point `{}` at ({}, {}, {}) m lies too deep, or too near to a side of the frame, where pressures go on: take a larger frame, or points at most a quarter as deep as they are far from that side",
+        .point.name, .point.place[0], .point.place[1], .point.place[2]
+    )]
+    Cut {
         /// The point.
         point: Point,
     },
@@ -278,11 +291,8 @@ pub const STRESSES: [(&str, [usize; 2]); 6] = [
 
 /// The equivalent stress of von Mises (Pa) of a stress along x, y and z (Pa).
 pub fn von_mises(stress: &[[f64; 3]; 3]) -> f64 {
-    let stress = DMat3::from_cols_array_2d(stress);
-    let mean = (stress.x_axis.x + stress.y_axis.y + stress.z_axis.z) / 3.0;
-    let deviator = stress - mean * DMat3::IDENTITY;
-    let square: f64 = deviator.to_cols_array().iter().map(|value| value * value).sum();
-    (1.5 * square).sqrt()
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = *stress;
+    crate::stress::von_mises(&[xx, yy, zz, xy, xz, yz])
 }
 
 /// The columns of a response: displacements (m), stresses and the equivalent stress (Pa).

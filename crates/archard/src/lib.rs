@@ -92,6 +92,7 @@ pub mod parameters;
 pub mod problem;
 pub mod simulation;
 pub mod solve;
+pub mod stress;
 pub mod units;
 pub mod wear;
 

@@ -9,7 +9,7 @@ const CRATES: [&str; 2] = ["archard", "archard-case"];
 /// The modules of the library from the ground up; those of one layer do not see each other. Those of `archard-case` begin with
 /// `verdict`.
 const LAYERS: &[&[&str]] = &[
-    &["numerics", "parameters", "units"],
+    &["numerics", "parameters", "stress", "units"],
     &["wear", "friction"],
     &["body"],
     &["frame", "closed_form"],

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use super::material::MaterialCase;
-use crate::output::{Limit, Store};
+use crate::output::{Inside, Limit, Store, WantedStresses};
 pub(in crate::case) use archard::accuracy::MOST;
 use archard::body::mesh::{Listed, MeshError, Meshed, Shape, Supported};
 use archard::body::{Body, Elasticity, Finite, Interpolation, Layer, Profile, Support, Thermal};
@@ -55,6 +55,8 @@ pub struct Case {
     pub points: [Vec<Point>; 2],
     /// Sections of each body on which they are put out at the end.
     pub sections: [Vec<Section>; 2],
+    /// What is wanted of the largest stresses in each body, at the end.
+    pub stresses: [Option<WantedStresses>; 2],
 }
 
 /// One body of a case.
@@ -369,6 +371,11 @@ impl Case {
     /// Whether the pairs are the nodes of a mesh.
     pub fn is_meshed(&self) -> bool {
         self.bodies.iter().any(BodyCase::is_meshed)
+    }
+
+    /// What puts out the inside of its bodies at the end.
+    pub fn inside(&self) -> Inside {
+        Inside::at(self.points.clone()).on(self.sections.clone()).largest(self.stresses.clone())
     }
 
     /// The frame after it became wider so many times.

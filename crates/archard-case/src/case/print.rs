@@ -9,7 +9,7 @@ use super::chosen::Chosen;
 use super::definition::{BodyCase, Case, FiniteCase, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
-use crate::output::Limit;
+use crate::output::{COMPONENTS, Limit, WantedStresses};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::elastic::{Point, Section};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
@@ -92,6 +92,11 @@ impl Display for Case {
         for (body, sections) in self.bodies.iter().zip(&self.sections) {
             print_sections(f, &format!("output.sections.{}", body.name), sections)?;
         }
+        for (body, stresses) in self.bodies.iter().zip(&self.stresses) {
+            if let Some(stresses) = stresses {
+                print_stresses(f, &format!("output.stress.{}", body.name), stresses)?;
+            }
+        }
         Ok(())
     }
 }
@@ -151,6 +156,26 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
         if let Some(size) = size {
             writeln!(f, "{key}.{name}.size = [{}]", size.map(|one| si(one, "m")).join(", "))?;
         }
+    }
+    Ok(())
+}
+
+fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> fmt::Result {
+    let WantedStresses { depths, field, initial, strength } = wanted;
+    if depths.is_empty() {
+        writeln!(f, "{key}.depths = \"auto\"")?;
+    } else {
+        let depths: Vec<String> = depths.iter().map(|depth| si(*depth, "m")).collect();
+        writeln!(f, "{key}.depths = [{}]", depths.join(", "))?;
+    }
+    if *field {
+        writeln!(f, "{key}.field = true")?;
+    }
+    for (name, value) in COMPONENTS.iter().zip(initial).filter(|(_, value)| **value != 0.0) {
+        writeln!(f, "{key}.initial.{name} = {}", si(*value, "Pa"))?;
+    }
+    if let Some(strength) = strength {
+        writeln!(f, "{key}.yield_strength = {}", si(*strength, "Pa"))?;
     }
     Ok(())
 }

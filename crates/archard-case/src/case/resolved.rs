@@ -8,7 +8,7 @@ use super::definition::Case;
 use super::elastic::{ElasticCase, ElasticForecast};
 use super::problem::Problem;
 use super::wheel_rail::{WheelRailCase, WheelRailForecast};
-use crate::output::{Inside, elastic_files};
+use crate::output::elastic_files;
 
 /// A case that can be run.
 #[non_exhaustive]
@@ -108,9 +108,8 @@ impl Task {
     pub fn files(&self) -> Vec<String> {
         match self {
             Task::Contact(resolved) => {
-                let Case { points, sections, bodies, .. } = &resolved.case;
-                let inside = Inside::at(points.clone()).on(sections.clone());
-                inside.files(bodies.each_ref().map(|body| body.name.as_str()))
+                let Case { bodies, .. } = &resolved.case;
+                resolved.case.inside().files(bodies.each_ref().map(|body| body.name.as_str()))
             }
             Task::Elastic(resolved) => {
                 elastic_files(&resolved.case.points, &resolved.case.sections)

@@ -27,11 +27,13 @@ pub fn write_elastic(
     Surface::of_elastic(deformed).write(&manifest.claim(SURFACE)?)?;
     if !body.points.is_empty() {
         let mut table = Table::create(manifest.claim(POINTS)?)?;
-        write_points(&mut table, &[], &body.points, deformed)?;
+        write_points(&mut table, &[], (&body.points, &deformed.points), |place| {
+            depth(deformed, place)
+        })?;
         table.flush()?;
         table.sync()?;
     }
-    write_sections(manifest, "", deformed, false)?;
+    write_sections(manifest, "", &deformed.sections, false)?;
     let verdict = elastic_verdict(body, deformed, &totals.warnings);
     let verdict = verdict.ended(totals.failure.as_deref());
     let summary = format!("{:#}\n", summary((body, deformed), &verdict, totals));
@@ -72,26 +74,31 @@ pub(super) fn section_file(prefix: &str, name: &str) -> String {
 pub(super) fn write_sections(
     manifest: &mut Manifest,
     prefix: &str,
-    deformed: &Deformed,
+    sections: &[Sampled],
     turned: bool,
 ) -> Result<(), Error> {
-    deformed.sections.iter().try_for_each(|sampled| {
+    sections.iter().try_for_each(|sampled| {
         let sheet = Sheet::of_section(sampled);
         let sheet = if turned { sheet.turned_over() } else { sheet };
         sheet.write(&manifest.claim(&section_file(prefix, &sampled.name))?)
     })
 }
 
-/// Adds a row a point, with the same cells in front of each.
+/// How deep (m) a place lies in a body.
+pub(super) fn depth(deformed: &Deformed, place: [f64; 3]) -> Option<f64> {
+    deformed.surface.depth(place.into())
+}
+
+/// Adds a row a point, with what is found there, the same cells in front of each.
 pub(super) fn write_points(
     table: &mut Table,
     first: &[(&str, String)],
-    points: &[Point],
-    deformed: &Deformed,
+    (points, responses): (&[Point], &[Response]),
+    depth: impl Fn([f64; 3]) -> Option<f64>,
 ) -> Result<(), Error> {
-    for (point, response) in points.iter().zip(&deformed.points) {
+    for (point, response) in points.iter().zip(responses) {
         let [x, y, z] = point.place.map(number);
-        let depth = deformed.surface.depth(point.place.into()).map_or(String::new(), number);
+        let depth = depth(point.place).map_or(String::new(), number);
         let place = [("x_m", x), ("y_m", y), ("z_m", z), ("depth_m", depth)];
         let row = row(response);
         let values = row.iter().map(|(column, value)| (column.as_str(), number(*value)));

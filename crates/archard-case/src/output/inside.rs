@@ -1,17 +1,19 @@
-//! What the last tractions of a contact make of the inside of meshed bodies.
+//! What the last tractions of a contact make of the inside of bodies.
 
 use std::error::Error as StdError;
 use std::path::Path;
 
-use super::elastic::{POINTS, section_file, write_points, write_sections};
+use super::elastic::{POINTS, depth, section_file, write_points, write_sections};
+use super::stress::{self, Stresses, WantedStresses};
 use super::table::Table;
 use super::{Error, Manifest, Store, Surface};
-use archard::body::{Body, Finite, Material};
+use archard::body::{Finite, Material};
 use archard::compliance::Unsolved;
 use archard::compliance::bem::Boundary;
 use archard::compliance::bem::contact::Job;
-use archard::elastic::{self, Deformed, ElasticError, Point, Section};
+use archard::elastic::{self, Deformed, ElasticError, Point, Pressed, Section};
 use archard::frame::VectorField;
+use archard::problem::ContactProblem;
 use archard::simulation::{Observer, Report};
 
 /// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2, where they lie in contact.
@@ -22,6 +24,7 @@ pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
 pub struct Inside {
     points: [Vec<Point>; 2],
     sections: [Vec<Section>; 2],
+    stresses: [Option<WantedStresses>; 2],
     store: Option<Store>,
     last: Option<(VectorField, [Vec<f64>; 2])>,
 }
@@ -51,13 +54,19 @@ fn prefix(body: &str) -> String {
 impl Inside {
     /// Stresses at points of body 1 and body 2 (m, in their own coordinates).
     pub fn at(points: [Vec<Point>; 2]) -> Self {
-        Self { points, sections: [vec![], vec![]], store: None, last: None }
+        Self { points, sections: [vec![], vec![]], stresses: [None, None], store: None, last: None }
     }
 
     /// Stresses on sections of body 1 and body 2 as well.
     #[must_use]
     pub fn on(self, sections: [Vec<Section>; 2]) -> Self {
         Self { sections, ..self }
+    }
+
+    /// The largest stresses in body 1 and body 2 as well, where they are half-spaces.
+    #[must_use]
+    pub fn largest(self, stresses: [Option<WantedStresses>; 2]) -> Self {
+        Self { stresses, ..self }
     }
 
     /// The same with a store: equations are solved for all tractions of the contact once, and what comes out is kept
@@ -67,7 +76,7 @@ impl Inside {
         Self { store, ..self }
     }
 
-    /// The files that [`Inside::write`] writes for bodies of these names, by their names in the folder.
+    /// The files that [`Inside::write`] may write for bodies of these names, by their names in the folder.
     pub fn files(&self, bodies: [&str; 2]) -> Vec<String> {
         let table = self.points.iter().any(|points| !points.is_empty());
         let mut files: Vec<String> = table.then(|| POINTS.to_owned()).into_iter().collect();
@@ -76,36 +85,58 @@ impl Inside {
             files.push(SURFACES[which].to_owned());
             let sections = &self.sections[which];
             files.extend(sections.iter().map(|one| section_file(&prefix(body), &one.name)));
+            files.extend(self.stresses[which].iter().flat_map(|wanted| wanted.files(body)));
         }
         files
     }
 
     /// Whether anything of a body is wanted.
     fn wants(&self, which: usize) -> bool {
-        !self.points[which].is_empty() || !self.sections[which].is_empty()
+        !self.points[which].is_empty()
+            || !self.sections[which].is_empty()
+            || self.stresses[which].is_some()
     }
 
-    /// Writes `points.csv`, a row a point, and for every body with points or sections the fields on its surface,
-    /// `surface_1.vtu` or `surface_2.vtu`, and a file a section in `sections`. Without a store the equations of these
-    /// bodies are made and solved once more.
+    /// Writes `points.csv`, a row a point, and a file a section in `sections`; for every meshed body with points or sections also
+    /// the fields on its surface, `surface_1.vtu` or `surface_2.vtu`. Without a store the equations of these bodies are made and
+    /// solved once more. Of half-spaces whose largest stresses are asked for, `stress_BODY.csv` and `stress_BODY.vtr`; these
+    /// stresses are returned.
     ///
     /// # Errors
     /// If a point lies outside of its body, equations have no solution, or a file cannot be written.
-    pub fn write(&self, dir: &Path, bodies: [&Body; 2]) -> Result<(), InsideError> {
-        let Some((tractions, worn)) = &self.last else { return Ok(()) };
+    pub fn write(&self, dir: &Path, problem: &ContactProblem) -> Result<Stresses, InsideError> {
+        let mut stresses = Stresses::default();
+        let Some((tractions, worn)) = &self.last else { return Ok(stresses) };
+        let bodies = problem.bodies.each_ref();
         let any = self.points.iter().any(|points| !points.is_empty());
         let mut manifest = Manifest::read(dir)?;
         let path = any.then(|| manifest.claim(POINTS)).transpose()?;
         let mut table = path.map(Table::create).transpose()?;
         for which in (0..2).filter(|&which| self.wants(which)) {
             let body = &bodies[which].name;
+            let failed = |cause| InsideError::Body { body: body.clone(), cause };
+            let first = [("body", body.clone())];
+            let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
+            if let Some(pressed) = Pressed::in_contact(bodies, which, &problem.frame, tractions) {
+                let found = pressed.points(points).map_err(failed)?;
+                if let Some(table) = &mut table {
+                    write_points(table, &first, (points, &found), |place| Some(-place[2]))?;
+                }
+                let sections: Vec<_> = sections.iter().map(|one| pressed.section(one)).collect();
+                write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
+                if let Some(wanted) = &self.stresses[which] {
+                    let place = (&mut manifest, which);
+                    stresses.add(body, stress::write(place, &bodies[which], wanted, &pressed)?);
+                }
+                continue;
+            }
             let solve = |finite: &Finite, material: &Material, job: &Job<'_>, acting: &[f64]| {
                 self.solve(finite, material, job, acting)
             };
             let acting = (tractions, &worn[which][..]);
-            let wanted = (&self.points[which][..], &self.sections[which][..]);
-            let deformed = Deformed::in_contact_by(bodies, which, acting, wanted, &solve)
-                .map_err(|cause| InsideError::Body { body: body.clone(), cause })?;
+            let deformed =
+                Deformed::in_contact_by(bodies, which, acting, (points, sections), &solve)
+                    .map_err(failed)?;
             let Some(deformed) = deformed else { continue };
             let placed = bodies[which].finite.as_ref().is_none_or(|finite| finite.meshed.placed);
             let turned = which == 1 && !placed;
@@ -113,15 +144,16 @@ impl Inside {
             let surface = if turned { surface.turned_over() } else { surface };
             surface.write(&manifest.claim(SURFACES[which])?)?;
             if let Some(table) = &mut table {
-                write_points(table, &[("body", body.clone())], &self.points[which], &deformed)?;
+                let found = (points, &deformed.points[..]);
+                write_points(table, &first, found, |place| depth(&deformed, place))?;
             }
-            write_sections(&mut manifest, &prefix(body), &deformed, turned)?;
+            write_sections(&mut manifest, &prefix(body), &deformed.sections, turned)?;
         }
         if let Some(mut table) = table {
             table.flush()?;
             table.sync()?;
         }
-        Ok(())
+        Ok(stresses)
     }
 
     /// Displacements and tractions all over a body under tractions of contact.
@@ -142,7 +174,7 @@ impl Observer for Inside {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         if (0..2).any(|which| self.wants(which)) {
             self.last = Some((
-                report.state.tractions(),
+                report.problem.tractions(report.state),
                 [0, 1].map(|body| report.state.worn(body).into_owned()),
             ));
         }

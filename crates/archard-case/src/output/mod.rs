@@ -18,7 +18,8 @@
 //!
 //! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end
 //! `points.csv`, a row a point, `surface_1.vtu` or `surface_2.vtu` with displacements, tractions, stresses and wear, and
-//! a [`Sheet`] a section, `sections/BODY_NAME.vtu`.
+//! a [`Sheet`] a section, `sections/BODY_NAME.vtu`. Half-spaces have no surface files; where their largest stresses are asked for,
+//! `stress_BODY.csv` has a row a depth, and `stress_BODY.vtr` the field.
 //!
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
@@ -47,11 +48,13 @@ mod limit;
 mod manifest;
 mod names;
 mod place;
+mod planes;
 mod rail_wear;
 mod sections;
 mod sheet;
 mod standards;
 mod store;
+mod stress;
 mod summary;
 mod surface;
 mod table;
@@ -81,10 +84,12 @@ pub use inside::{Inside, InsideError};
 pub use life::{Life, Limit, Lives, NoColumn, Reached};
 pub use manifest::Manifest;
 pub use place::Place;
+pub use planes::Planes;
 pub use rail_wear::{ProfileWear, RailLife, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
+pub use stress::{COMPONENTS, Stresses, WantedStresses};
 pub use summary::Totals;
 pub use summary::json_of as verdict_json;
 pub use surface::Surface;

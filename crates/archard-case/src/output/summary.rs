@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::evidence::worn_over_coefficient;
-use super::{Life, Standard, closed_forms};
+use super::{Life, Standard, Stresses, closed_forms};
 use crate::verdict::{Bound, Line, Verdict, Warning};
 use archard::estimate::{Estimator, Subject};
 use archard::motion::Passage;
@@ -61,7 +61,7 @@ pub(super) fn text(
     standing: Option<&Standing>,
     (iterations, verdict): (usize, &Verdict),
     (totals, told): (&Totals, &[String]),
-    life: &Life,
+    (life, stresses): (&Life, &Stresses),
 ) -> String {
     let effort = standing.map(|standing| standing.effort).unwrap_or_default();
     let cycles = standing.is_some_and(|standing| standing.cycles);
@@ -77,6 +77,7 @@ pub(super) fn text(
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),
         "closed_form": standing.map(|standing| &standing.closed_form),
+        "stress": stresses.json(),
         "dissipated_J": cycles.then_some(effort.dissipated[1]),
         "true_cycles": cycles.then_some(effort.true_cycles),
         "seconds": totals.seconds,

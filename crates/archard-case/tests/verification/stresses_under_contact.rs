@@ -111,7 +111,7 @@ fn a_section_shows_the_largest_equivalent_stress_where_hertz_has_it() {
             Inside::at([vec![], vec![]]).on([vec![], vec![section.clone()]]).keeping(store);
         simulation.run(&mut [&mut inside]).unwrap();
         let dir = tempfile::tempdir().unwrap();
-        inside.write(dir.path(), simulation.problem.bodies.each_ref()).unwrap();
+        inside.write(dir.path(), &simulation.problem).unwrap();
         let files: Vec<_> = std::fs::read_dir(dir.path()).unwrap().collect();
         assert_eq!(files.len(), 3, "the surface, the folder of sections and the list: {files:?}");
         sheets.push(Sheet::read(&dir.path().join("sections/block_middle.vtu")).unwrap());

@@ -7,7 +7,7 @@ use std::time::Instant;
 use archard::accuracy::Event;
 use archard::simulation::{Observer, Report, Simulation};
 use archard_case::files::{self, Contents};
-use archard_case::output::{Claim, Error, Inside, ResultFolder, Store};
+use archard_case::output::{Claim, Error, ResultFolder, Store};
 use archard_case::{BuildError, Case, Problem, Resolved};
 
 use crate::interrupt::{Interrupted, Requests};
@@ -89,8 +89,7 @@ fn attempt(
     let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;
     let mut results = Following { folder, requests };
     let beside = store.map(|store| Store::new(store.folder()));
-    let mut inside =
-        Inside::at(resolved.case.points.clone()).on(resolved.case.sections.clone()).keeping(beside);
+    let mut inside = resolved.case.inside().keeping(beside);
     let failure = built.and_then(|simulation| {
         let observers: &mut [&mut dyn Observer] = &mut [&mut results, &mut inside];
         let ran = match &kept {
@@ -98,8 +97,9 @@ fn attempt(
             None => simulation.run(observers),
         };
         ran.map_err(|error| error.to_string())?;
-        let written = inside.write(dir, simulation.problem.bodies.each_ref());
-        written.map_err(|error| error.to_string())
+        let written = inside.write(dir, &simulation.problem);
+        results.folder.stressed(written.map_err(|error| error.to_string())?);
+        Ok(())
     });
     let outcome = match &failure {
         Ok(()) => Outcome::Done,

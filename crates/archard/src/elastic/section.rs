@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::Response;
 use crate::body::mesh;
 use crate::compliance::bem::{Interior, Surface};
+use crate::numerics::SAME;
 use crate::parameters::{Bound, Parameter, Quantity};
 
 /// Most places of a section that are looked at.
@@ -57,6 +58,9 @@ pub enum SectionError {
     /// A size that holds no square of the grid.
     #[error("is smaller than `spacing`: the section holds no square of the grid")]
     Small,
+    /// Nothing ends a section of a half-space.
+    #[error("a half-space has no end: give the `size` of the section")]
+    Endless,
     /// No square of the grid lies in the body.
     #[error("misses the body: no square of the grid lies in it")]
     Misses,
@@ -69,7 +73,7 @@ impl SectionError {
             SectionError::NoNormal => "normal",
             SectionError::TooMany { .. } => "spacing",
             SectionError::Small => "size",
-            SectionError::Misses => "through",
+            SectionError::Endless | SectionError::Misses => "through",
         }
     }
 }
@@ -102,7 +106,7 @@ impl Section {
         Parameter::optional(
             "size",
             Quantity::Pair(&Quantity::Length),
-            "how far the section reaches along its two axes: x, or y where the normal is along x, then across it; through the whole body unless given",
+            "how far the section reaches along its two axes: x, or y where the normal is along x, then across it; through the whole body unless given, which a half-space does not end",
         ),
     ];
 
@@ -111,8 +115,30 @@ impl Section {
     /// # Errors
     /// If there are no places, or too many.
     pub fn check(&self, surface: &Surface) -> Result<(), SectionError> {
-        let grid = self.grid(surface)?;
-        let inside = |column: usize, row: usize| surface.depth(grid.place(column, row)).is_some();
+        self.shows(Some(&surface.corners()), |place| surface.depth(place).is_some())
+    }
+
+    /// The same on a half-space, whose surface is z = 0.
+    ///
+    /// # Errors
+    /// As [`Section::check`], and if nothing ends the section.
+    pub fn check_half_space(&self) -> Result<(), SectionError> {
+        self.shows(None, |place| self.below_zero(place).is_some())
+    }
+
+    /// A place in a half-space: on its surface where rounding alone says that it is not. `None` above.
+    pub(super) fn below_zero(&self, place: DVec3) -> Option<DVec3> {
+        let near = SAME * self.spacing;
+        (place.z <= near).then(|| place.with_z(place.z.min(0.0)))
+    }
+
+    fn shows(
+        &self,
+        corners: Option<&[DVec3]>,
+        holds: impl Fn(DVec3) -> bool + Sync,
+    ) -> Result<(), SectionError> {
+        let grid = self.grid(corners)?;
+        let inside = |column: usize, row: usize| holds(grid.place(column, row));
         let square = |&cell: &usize| {
             let (column, row) = (cell % (grid.counts[0] - 1), cell / (grid.counts[0] - 1));
             [[0, 0], [1, 0], [1, 1], [0, 1]].iter().all(|[x, y]| inside(column + x, row + y))
@@ -124,11 +150,20 @@ impl Section {
 
     /// The response of a body on it; without places where [`Section::check`] complains.
     pub(super) fn sample(&self, surface: &Surface, interior: &Interior<'_>) -> Sampled {
+        self.responses(Some(&surface.corners()), |place| interior.at(place).map(Response::from))
+    }
+
+    /// What is found at its places within the corners of a body, where anything is.
+    pub(super) fn responses(
+        &self,
+        corners: Option<&[DVec3]>,
+        at: impl Fn(DVec3) -> Option<Response> + Sync,
+    ) -> Sampled {
         let mut sampled =
             Sampled { name: self.name.clone(), places: vec![], cells: vec![], responses: vec![] };
-        let Ok(grid) = self.grid(surface) else { return sampled };
+        let Ok(grid) = self.grid(corners) else { return sampled };
         let [columns, rows] = grid.counts;
-        let at = |index: usize| interior.at(grid.place(index % columns, index / columns));
+        let at = |index: usize| at(grid.place(index % columns, index / columns));
         let responses: Vec<_> = (0..columns * rows).into_par_iter().map(at).collect();
         let corners = |column: usize, row: usize| {
             let first = column + columns * row;
@@ -142,7 +177,7 @@ impl Section {
                 *index[corner].get_or_insert_with(|| {
                     let place = grid.place(corner % columns, corner / columns);
                     sampled.places.push(place.to_array());
-                    sampled.responses.extend(responses[corner].map(Response::from));
+                    sampled.responses.extend(responses[corner]);
                     sampled.places.len() - 1
                 })
             });
@@ -151,8 +186,8 @@ impl Section {
         sampled
     }
 
-    /// The places of the section within the box around the body.
-    fn grid(&self, surface: &Surface) -> Result<Grid, SectionError> {
+    /// The places of the section within the box around the corners of a body; of its `size` alone where it has none.
+    fn grid(&self, corners: Option<&[DVec3]>) -> Result<Grid, SectionError> {
         let normal = DVec3::from(self.normal);
         if normal == DVec3::ZERO {
             return Err(SectionError::NoNormal);
@@ -160,15 +195,22 @@ impl Section {
         if self.size.is_some_and(|size| size.iter().any(|side| *side < self.spacing)) {
             return Err(SectionError::Small);
         }
+        if corners.is_none() && self.size.is_none() {
+            return Err(SectionError::Endless);
+        }
         let [along, across, _] = mesh::axes(normal);
         let origin = DVec3::from(self.through);
-        let corners = surface.corners();
         let range = |axis: usize| {
             let unit = [along, across][axis];
-            let seen = corners.iter().map(|corner| (*corner - origin).dot(unit) / self.spacing);
-            let [low, high] = seen.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], one| {
-                [low.min(one), high.max(one)]
-            });
+            let seen = |corner: &DVec3| (*corner - origin).dot(unit) / self.spacing;
+            let box_of = |corners: &[DVec3]| {
+                let none = [f64::INFINITY, f64::NEG_INFINITY];
+                corners
+                    .iter()
+                    .map(seen)
+                    .fold(none, |[low, high], one| [low.min(one), high.max(one)])
+            };
+            let [low, high] = corners.map_or([f64::NEG_INFINITY, f64::INFINITY], box_of);
             let reach = self.size.map_or(f64::INFINITY, |size| 0.5 * size[axis] / self.spacing);
             // What ends on a step ends with it, whatever rounding says.
             let near = 1e-6;

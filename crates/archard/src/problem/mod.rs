@@ -103,6 +103,23 @@ impl ContactProblem {
         [0, 1].map(|body| bodies[body] && takes(&self.bodies[body]))
     }
 
+    /// Tractions on body 1 (Pa) in the bases of the pairs; where all pairs slide, friction at its limit as body 2 slides
+    /// forward over body 1.
+    pub fn tractions(&self, state: &ContactState) -> VectorField {
+        let mut tractions = state.tractions();
+        let slides = state.tangential.is_none() && self.motion.slip(1.0) != 0.0;
+        if let Some(friction) = self.friction.as_ref().filter(|_| slides) {
+            let map = friction.map();
+            for (pair, pressure) in state.pressure.iter().enumerate() {
+                let heading = self.motion.heading(self.frame.place(pair));
+                let limit = friction.limit(*pressure);
+                let [x, y] = map.against(heading);
+                (tractions.t1[pair], tractions.t2[pair]) = (limit * x, limit * y);
+            }
+        }
+        tractions
+    }
+
     /// What wears off the bodies that are meant, at many points; `before` says of a body and a point how far (m) it has
     /// slid and how deep (m) it has worn so far.
     pub fn wear(

@@ -4,6 +4,8 @@ use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::compliance::bem::Surface;
+use archard::elastic::Pressed;
+use archard::motion::Sequence;
 
 /// Points outside of their bodies, sections without places.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
@@ -22,6 +24,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         }
         files.push(file);
     }
+    problems.extend((0..2).flat_map(|which| half_space(parts, which)));
     let wanted = parts.case.points.iter().zip(&parts.case.sections);
     for (body, (points, sections)) in parts.bodies.iter().zip(wanted) {
         let any = !points.is_empty() || !sections.is_empty();
@@ -41,4 +44,48 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         }
     }
     problems
+}
+
+/// What a half-space has no stresses for.
+fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
+    let case = parts.case;
+    let body = &parts.bodies[which];
+    let (points, sections) = (&case.points[which], &case.sections[which]);
+    let stresses = &case.stresses[which];
+    let wanted = [
+        ("points", points.is_empty()),
+        ("sections", sections.is_empty()),
+        ("stress", stresses.is_none()),
+    ];
+    let key = |name: &str| Key::of(["output", name, &body.name]);
+    let Some((name, _)) = wanted.into_iter().find(|(_, none)| !none) else { return vec![] };
+    if body.finite.is_some() {
+        let meshed = "is meshed: its largest stresses are not sought; take `output.points` or `output.sections`";
+        let problem = stresses.as_ref().map(|_| Problem::error(key("stress"), meshed).at_name());
+        return problem.into_iter().collect();
+    }
+    let refused = Pressed::refuses(parts.bodies.each_ref(), which).or_else(|| {
+        let table = matches!(parts.motion.sequence, Sequence::Table(_)) && parts.friction.is_some();
+        if case.frame.periodic {
+            Some("repeats itself with the frame: stresses in it are not computed")
+        } else if table {
+            Some("slides in another direction at each station of the table: with friction, stresses in it are not computed")
+        } else {
+            None
+        }
+    });
+    if let Some(why) = refused {
+        return vec![Problem::error(key(name), why).at_name()];
+    }
+    let above = points.iter().filter(|point| point.place[2] > 0.0).map(|point| {
+        let message =
+            "lies above the surface of the half-space: z is zero there, and negative in it";
+        Problem::error(key("points").child(&point.name), message)
+    });
+    let lost = sections.iter().filter_map(|section| {
+        let cause = section.check_half_space().err()?;
+        let key = key("sections").child(&section.name).child(cause.parameter());
+        Some(Problem::error(key, cause.to_string()))
+    });
+    above.chain(lost).collect()
 }

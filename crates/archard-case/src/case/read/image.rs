@@ -72,8 +72,14 @@ impl Reader<'_> {
         mut bodies: [BodyCase; 2],
     ) -> Option<[BodyCase; 2]> {
         let output = root.get("output").map(|(_, entry)| &entry.node.item);
-        let asks = |name| matches!(output, Some(Item::Table(table)) if table.get(name).is_some());
-        let inside = asks("points") || asks("sections");
+        let asks = |body: &BodyCase| {
+            let Some(Item::Table(output)) = output else { return false };
+            ["points", "sections"].iter().any(|name| {
+                let of_bodies = output.get(name).map(|entry| &entry.node.item);
+                matches!(of_bodies, Some(Item::Table(table)) if table.get(&body.name).is_some())
+            })
+        };
+        let inside = bodies.iter().any(|body| body.finite.is_some() && asks(body));
         for body in bodies.iter().filter(|body| body.has_image()) {
             let supports = body
                 .finite

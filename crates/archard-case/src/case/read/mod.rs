@@ -7,6 +7,7 @@ mod frame;
 mod image;
 mod material;
 mod output;
+mod stress;
 mod wheel_rail;
 
 use super::chosen::Chosen;
@@ -80,6 +81,7 @@ impl Reader<'_> {
         let until = bodies.as_ref().and_then(|bodies| self.until(root, bodies));
         let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
         let sections = bodies.as_ref().and_then(|bodies| self.sections_of_bodies(root, bodies));
+        let stresses = bodies.as_ref().and_then(|bodies| self.stresses_of_bodies(root, bodies));
         Some(Case {
             title: title?,
             accuracy: accuracy?,
@@ -94,6 +96,7 @@ impl Reader<'_> {
             until: until?,
             points: points?,
             sections: sections?,
+            stresses: stresses?,
         })
     }
 

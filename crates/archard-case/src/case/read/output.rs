@@ -23,7 +23,7 @@ impl Reader<'_> {
         let default = Output::Every(tenth(motion, schedule.extent));
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", &["every", "at", "points", "sections"]);
+        self.unknown(&section, "key", &["every", "at", "points", "sections", "stress"]);
         let quantity = motion.progress.quantity;
         match (section.get("every"), section.get("at")) {
             (None, None) => Some(default),
@@ -84,7 +84,7 @@ impl Reader<'_> {
     }
 
     /// What of each body is put out beside its surface, in tables by the names of the bodies.
-    fn of_bodies<T>(
+    pub(super) fn of_bodies<T>(
         &mut self,
         root: &Section<'_>,
         bodies: &[BodyCase; 2],
@@ -110,9 +110,10 @@ impl Reader<'_> {
                 continue;
             };
             let deforms = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
-            if bodies[body].material.is_none() || !bodies[body].finite.as_ref().is_some_and(deforms)
+            if bodies[body].material.is_none() && bodies[body].layers.is_empty()
+                || bodies[body].finite.as_ref().is_some_and(|finite| !deforms(finite))
             {
-                let message = "has no stress to put out: that takes an elastic body with a `mesh`, and `elasticity = \"boundary_elements\"`";
+                let message = "has no stress to put out: that takes an elastic body, a half-space or one with a `mesh` and `elasticity = \"boundary_elements\"`";
                 self.push(Problem::error(key, message).at_name());
                 continue;
             }

@@ -26,8 +26,8 @@ use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{
-    CASE, COLLECTION, Collection, Error, FIELDS, Image, Life, Lives, Manifest, SUMMARY, Surface,
-    Totals, sections,
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Life, Lives, Manifest, SUMMARY, Stresses,
+    Surface, Totals, sections,
 };
 use crate::verdict::{Verdict, Warning};
 use archard::estimate::Estimator;
@@ -67,6 +67,7 @@ pub struct ResultFolder {
     standing: Option<Standing>,
     evidence: Evidence,
     life: Life,
+    stresses: Stresses,
     clock: Clock,
     begun: Instant,
     /// Time the run took before it was interrupted (s).
@@ -101,6 +102,7 @@ impl ResultFolder {
             standing: None,
             evidence: Evidence::default(),
             life: Life::until(until),
+            stresses: Stresses::default(),
             clock: Clock::new(),
             begun: Instant::now(),
             before: 0.0,
@@ -135,6 +137,7 @@ impl ResultFolder {
             standing: None,
             evidence,
             life,
+            stresses: Stresses::default(),
             clock: Clock::new(),
             begun: Instant::now(),
             before: seconds,
@@ -191,6 +194,11 @@ impl ResultFolder {
         self.life.scatter(lives);
     }
 
+    /// Puts down the largest stresses inside of bodies, for the summary.
+    pub fn stressed(&mut self, stresses: Stresses) {
+        self.stresses = stresses;
+    }
+
     /// Time the run took before it was interrupted (s).
     pub fn seconds_before(&self) -> f64 {
         self.before
@@ -220,7 +228,12 @@ impl ResultFolder {
         let told: Vec<String> = besides.chain(doubts).collect();
         let verdict = self.verdict(&totals.warnings).ended(totals.failure.as_deref());
         let judged = (self.iterations, &verdict);
-        let text = summary::text(self.standing.as_ref(), judged, (totals, &told), &self.life);
+        let text = summary::text(
+            self.standing.as_ref(),
+            judged,
+            (totals, &told),
+            (&self.life, &self.stresses),
+        );
         self.manifest.write(SUMMARY, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(verdict),

@@ -34,6 +34,7 @@ pub(super) fn opening(kind: &str, more: &str) -> String {
 /// What an array holds: VTK's type, and what its element says besides.
 pub(super) type Kind = [&'static str; 2];
 pub(super) const NUMBERS: Kind = ["Float64", ""];
+pub(super) const SINGLE: Kind = ["Float32", ""];
 pub(super) const VECTORS: Kind = ["Float64", " NumberOfComponents=\"3\""];
 pub(super) const INTEGERS: Kind = ["Int64", ""];
 pub(super) const BYTES: Kind = ["UInt8", ""];

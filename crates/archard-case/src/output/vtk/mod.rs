@@ -12,6 +12,7 @@ mod arrays;
 mod collection;
 mod image_data;
 mod points;
+mod rectilinear;
 mod unstructured_grid;
 
 use std::io;
@@ -19,7 +20,7 @@ use std::path::Path;
 
 pub use collection::Collection;
 
-use super::{Error, Place, WornSurface};
+use super::{Error, Place, Planes, WornSurface};
 use crate::files::{self, Contents};
 
 /// What is kept in a file of its own kind.
@@ -41,6 +42,12 @@ pub(super) fn write(kept: &impl Kept, place: &Place) -> Result<(), Error> {
 pub(super) fn write_points(surface: &WornSurface, place: &Place) -> Result<(), Error> {
     let refused = |source| Error::Write { path: place.path().to_owned(), source };
     place.write(&points::encode(surface).map_err(refused)?)
+}
+
+/// Writes the file of stresses in planes, which this program does not read.
+pub(super) fn write_planes(planes: &Planes, place: &Place) -> Result<(), Error> {
+    let refused = |source| Error::Write { path: place.path().to_owned(), source };
+    place.write(&rectilinear::encode(planes).map_err(refused)?)
 }
 
 /// What the bytes of a file that [`write`] wrote hold, or what is wrong with them.

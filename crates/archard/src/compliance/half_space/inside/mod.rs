@@ -14,12 +14,9 @@ mod tests;
 use std::f64::consts::PI;
 
 use crate::body::Material;
-use crate::compliance::half_space::HalfSpace;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::Convolution;
-
-/// Components of a stress (Pa), positive in tension, in the order xx, yy, zz, xy, xz, yz.
-pub type Components = [f64; 6];
+use crate::stress::Components;
 
 /// What is below even tractions on the elements of a uniform frame.
 ///
@@ -119,9 +116,19 @@ impl Below {
         &self.tractions[2]
     }
 
+    /// Whether it is a line of contact in plane strain.
+    pub fn is_line(&self) -> bool {
+        self.depth.is_some()
+    }
+
+    /// Whether there is friction along an axis.
+    pub fn rubs_along(&self, axis: usize) -> bool {
+        self.tractions[axis].iter().any(|traction| *traction != 0.0)
+    }
+
     /// Whether there is friction.
     fn rubs(&self) -> bool {
-        self.tractions[..2].iter().flatten().any(|traction| *traction != 0.0)
+        self.rubs_along(0) || self.rubs_along(1)
     }
 
     /// Stress (Pa) at a place (m), in the body or on its surface.
@@ -265,13 +272,4 @@ impl Below {
 /// The stress in the axes of the body, from one with z into it.
 fn turned([xx, yy, zz, xy, xz, yz]: Components) -> Components {
     [xx, yy, zz, xy, -xz, -yz]
-}
-
-impl HalfSpace {
-    /// Up to what depth (m) the stresses under a frame are its own where pressures go on beyond it: half of its shorter side, as
-    /// deep as waves as long as that side reach.
-    pub fn known_depth(frame: &ContactFrame) -> f64 {
-        let [x, y] = frame.size();
-        0.5 * if frame.is_line() { x } else { x.min(y) }
-    }
 }

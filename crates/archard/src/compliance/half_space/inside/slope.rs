@@ -13,7 +13,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Below, Components, turned};
+use super::{Below, turned};
+use crate::stress::Components;
 
 impl Below {
     /// What is added (Pa) at the centre of an element, `depth` (m) below it.

@@ -3,8 +3,9 @@
 mod hertz;
 mod kernels;
 
-use super::{Below, Components};
+use super::Below;
 use crate::body::Material;
+use crate::stress::Components;
 
 const STEEL: Material = Material { young: 2.6, poisson: 0.3 };
 

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Below, Components, near, square};
+use super::{Below, near, square};
+use crate::stress::Components;
 
 /// The mean of the pressure over elements of a frame four radii wide; tractions mu times as large along x.
 fn ball(per_radius: usize, mu: f64, pressing: f64) -> Below {

@@ -1,0 +1,133 @@
+//! What is wanted of the largest stresses in bodies.
+
+use crate::case::definition::BodyCase;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::case::reader::{Reader, Section};
+use crate::case::tree::{Item, Node};
+use crate::output::{COMPONENTS, WantedStresses};
+use archard::parameters::{Bound, Parameter, Quantity};
+
+/// An even stress.
+const INITIAL: &[Parameter] = &[
+    component("xx"),
+    component("yy"),
+    component("zz"),
+    component("xy"),
+    component("zx"),
+    component("yz"),
+];
+
+const fn component(name: &'static str) -> Parameter {
+    Parameter::optional(name, Quantity::Pressure, "component of the stress, positive in tension")
+        .bound(Bound::Any)
+}
+
+const PARAMETERS: &[Parameter] = &[
+    Parameter::optional(
+        "field",
+        Quantity::Truth,
+        "whether the stresses at all elements and depths are put out, as `stress_BODY.vtr`",
+    ),
+    Parameter::optional(
+        "initial",
+        Quantity::Section(INITIAL),
+        "an even stress that is added: residual, or what the whole body bears",
+    ),
+    Parameter::optional(
+        "yield_strength",
+        Quantity::Pressure,
+        "yield stress in tension; without it the hardness over 2.8, where that is known",
+    ),
+];
+
+/// A list of depths by how they grow.
+const RANGE: &[Parameter] = &[
+    Parameter::required("first", Quantity::Length, "the least depth"),
+    Parameter::required("last", Quantity::Length, "the largest depth"),
+    Parameter::required("count", Quantity::Count, "how many depths, in a constant ratio"),
+];
+
+/// Most depths that are looked at.
+const MOST: usize = 200;
+
+impl Reader<'_> {
+    /// The stresses of each body that are wanted.
+    pub(super) fn stresses_of_bodies(
+        &mut self,
+        root: &Section<'_>,
+        bodies: &[BodyCase; 2],
+    ) -> Option<[Option<WantedStresses>; 2]> {
+        let of_a_body =
+            "stresses are those of a body: `output.stress.BODY = { depths = \"auto\" }`";
+        let found = self.of_bodies(root, bodies, ("stress", of_a_body), |reader, section| {
+            reader.stresses(section).map(|wanted| vec![wanted])
+        });
+        found.map(|found| found.map(|wanted| wanted.into_iter().next()))
+    }
+
+    fn stresses(&mut self, section: &Section<'_>) -> Option<WantedStresses> {
+        let before = self.problems.len();
+        let (values, _) = self.values_among(section, PARAMETERS, &["depths"]);
+        let depths = match section.get("depths") {
+            None => vec![],
+            Some((key, entry)) => self.depths(key, &entry.node)?,
+        };
+        let initial = values.section("initial");
+        let initial =
+            COMPONENTS.map(|name| initial.and_then(|own| own.number(name)).unwrap_or_default());
+        let (field, strength) = (values.is_true("field"), values.number("yield_strength"));
+        (self.problems.len() == before).then_some(WantedStresses {
+            depths,
+            field,
+            initial,
+            strength,
+        })
+    }
+
+    /// Depths (m), rising; none where the contact decides.
+    fn depths(&mut self, key: Key, node: &Node) -> Option<Vec<f64>> {
+        let mut depths = match &node.item {
+            Item::Text(text) if text == "auto" => return Some(vec![]),
+            Item::Array(nodes) => {
+                let each = nodes.iter().enumerate();
+                let each = each.map(|(i, node)| self.number(key.index(i), node, Quantity::Length));
+                each.collect::<Option<Vec<_>>>()?
+            }
+            Item::Table(table) => {
+                let before = self.problems.len();
+                let section = Section { key: key.clone(), table };
+                let (values, _) = self.values(&section, RANGE);
+                if self.problems.len() > before {
+                    return None;
+                }
+                let [first, last, count] =
+                    ["first", "last", "count"].map(|name| values.number(name).unwrap_or_default());
+                if last <= first {
+                    self.push(Problem::error(key.child("last"), "is not deeper than `first`"));
+                    return None;
+                }
+                let ratio = |i: f64| (last / first).powf(i / (count - 1.0).max(1.0));
+                (0..count.min(MOST as f64 + 1.0) as usize)
+                    .map(|i| first * ratio(i as f64))
+                    .collect()
+            }
+            other => {
+                let message = format!(
+                    "expected \"auto\", a list like [\"5 um\", \"20 um\"], or {{ first = \"2 um\", last = \"1 mm\", count = 24 }}, found {}",
+                    other.kind()
+                );
+                self.push(Problem::error(key, message));
+                return None;
+            }
+        };
+        if depths.is_empty() || depths.len() > MOST {
+            let message = format!("give between one and {MOST} depths");
+            self.push(Problem::error(key, message));
+            return None;
+        }
+        depths.sort_by(f64::total_cmp);
+        depths.dedup();
+        Some(depths)
+    }
+}

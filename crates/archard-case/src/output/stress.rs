@@ -1,0 +1,145 @@
+//! The largest stresses in half-spaces, and whether they yield by them.
+
+use serde_json::{Map, Value, json};
+
+use super::table::{Table, number};
+use super::{Error, Manifest, Planes};
+use archard::body::Body;
+use archard::elastic::{MEASURES, Maxima, Maximum, Pressed};
+use archard::stress::Components;
+
+/// Indentation hardness over yield stress (D. Tabor, *The Hardness of Metals*, 1951).
+const TABOR: f64 = 2.8;
+
+/// The names of components, in their order.
+pub const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "zx", "yz"];
+
+/// What is wanted of the stresses in a half-space.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct WantedStresses {
+    /// Depths (m), rising; by the contact where there are none.
+    pub depths: Vec<f64>,
+    /// Whether the whole field is put out.
+    pub field: bool,
+    /// An even stress (Pa) that is added: what is left from manufacture, or what the whole body bears.
+    pub initial: Components,
+    /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
+    pub strength: Option<f64>,
+}
+
+/// The largest stresses of bodies, for the summary.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stresses(Map<String, Value>);
+
+impl WantedStresses {
+    /// The files of a body of that name.
+    pub(super) fn files(&self, body: &str) -> Vec<String> {
+        let field = self.field.then(|| field_file(body));
+        [table_file(body)].into_iter().chain(field).collect()
+    }
+}
+
+impl Stresses {
+    pub(super) fn add(&mut self, body: &str, value: Value) {
+        self.0.insert(body.to_owned(), value);
+    }
+
+    /// As a block of the summary; null without any.
+    pub(super) fn json(&self) -> Value {
+        if self.0.is_empty() { Value::Null } else { Value::Object(self.0.clone()) }
+    }
+}
+
+fn table_file(body: &str) -> String {
+    format!("stress_{body}.csv")
+}
+
+fn field_file(body: &str) -> String {
+    format!("stress_{body}.vtr")
+}
+
+/// Writes the table and, if it is wanted, the field of a body; the block of the summary.
+pub(super) fn write(
+    (manifest, which): (&mut Manifest, usize),
+    body: &Body,
+    wanted: &WantedStresses,
+    pressed: &Pressed,
+) -> Result<Value, Error> {
+    let known = pressed.known_depth();
+    let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
+    let depths: Vec<f64> = depths.into_iter().filter(|depth| *depth <= known).collect();
+    let hardness = body.indentation_hardness.or(body.hardness);
+    let strength = wanted.strength.or(hardness.map(|hardness| hardness / TABOR));
+    let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
+    let mut see = |depth: f64, plane: &[Vec<f64>; 6]| {
+        planes.iter_mut().for_each(|planes| planes.add(depth, plane));
+    };
+    let Some(maxima) = pressed.maxima(&depths, (&wanted.initial, strength), &mut see) else {
+        return Ok(Value::Null);
+    };
+    write_table(manifest, &body.name, &maxima)?;
+    if let Some(planes) = planes {
+        planes.write(&manifest.claim(&field_file(&body.name))?)?;
+    }
+    let from = if wanted.strength.is_some() { "yield_strength" } else { "hardness / 2.8" };
+    Ok(block(pressed, &maxima, strength.map(|strength| (strength, from))))
+}
+
+/// A row a depth.
+fn write_table(manifest: &mut Manifest, body: &str, maxima: &Maxima) -> Result<(), Error> {
+    let mut table = Table::create(manifest.claim(&table_file(body))?)?;
+    for layer in &maxima.layers {
+        let mut row = vec![("depth_m".to_owned(), number(layer.depth))];
+        for ((name, _), (value, [x, y])) in MEASURES.iter().zip(&layer.largest) {
+            let cells = [("Pa", value), ("x_m", x), ("y_m", y)];
+            row.extend(cells.map(|(unit, value)| (format!("{name}_{unit}"), number(*value))));
+        }
+        row.push(("mean_von_mises_Pa".to_owned(), number(layer.mean)));
+        let share = layer.yields.map(|share| ("yielding_area".to_owned(), number(share)));
+        row.extend(share);
+        let row: Vec<(&str, String)> =
+            row.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+        table.row(&row)?;
+    }
+    table.flush()?;
+    table.sync()
+}
+
+fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> Value {
+    let peak = pressed.below.pressure().iter().copied().fold(0.0, f64::max);
+    let all = |of: &[Maximum; 4]| -> Value {
+        let each = MEASURES.iter().zip(of).map(|((name, _), own)| {
+            let value = json!({
+                "value_Pa": own.value,
+                "error_Pa": own.error,
+                "order": own.order,
+                "over_peak_pressure": own.value / peak,
+                "x_m": own.place[0],
+                "y_m": own.place[1],
+                "depth_m": -own.place[2],
+            });
+            ((*name).to_owned(), value)
+        });
+        Value::Object(each.collect())
+    };
+    let yields = strength.map(|(strength, from)| {
+        let largest = maxima.largest(0);
+        let utilisation = largest.value / strength;
+        let state = match utilisation {
+            _ if peak > TABOR * strength => "beyond the hardness",
+            utilisation if utilisation > 1.0 => "contained plasticity",
+            _ => "elastic",
+        };
+        json!({
+            "strength_Pa": strength,
+            "strength_from": from,
+            "utilisation": utilisation,
+            "utilisation_error": largest.error / strength,
+            "depth_m": -largest.place[2],
+            "first_yield_load_factor": 1.0 / utilisation,
+            "shakedown_load_factor": pressed.shakes_down(maxima).map(|shear| strength / 3f64.sqrt() / shear),
+            "state": state,
+        })
+    });
+    json!({ "inside": all(&maxima.inside), "surface": all(&maxima.surface), "yield": yields })
+}

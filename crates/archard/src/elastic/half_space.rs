@@ -1,0 +1,140 @@
+//! What the tractions of a contact make of the inside of a half-space.
+
+use glam::DVec3;
+
+use super::{ElasticError, Point, Response, Sampled, Section};
+use crate::body::Body;
+use crate::compliance::half_space::inside::Below;
+use crate::frame::{ContactFrame, VectorField};
+use crate::stress::Components;
+
+/// How deep below a side of the frame, relative to the distance from it, stresses are known where pressures go on beyond that side:
+/// of an even pressure 1 % of the stress zz is missing there, and in the plane of the surface a third of the pressure at most.
+const KNOWN: f64 = 0.25;
+
+/// A half-space under the tractions of a contact.
+///
+/// Its axes are those of the body: x and y of the frame, z = 0 on the surface and negative in the body, for body 1 and for body 2.
+#[derive(Debug)]
+pub struct Pressed {
+    /// The stresses below its elements.
+    pub below: Below,
+    /// The sides that pressures are cut at, along x and y the lower and the upper (m); infinitely far away where they are not.
+    sides: [[f64; 2]; 2],
+}
+
+impl Pressed {
+    /// Why stresses inside a body cannot be had from the tractions of a frame alone; `None` where they can.
+    pub fn refuses(bodies: [&Body; 2], which: usize) -> Option<&'static str> {
+        let body = bodies[which];
+        if body.material.is_none() {
+            return Some("is rigid and has no stress");
+        }
+        if !body.layers.is_empty() {
+            return Some("has layers, whose stresses are not computed");
+        }
+        if body.finite.as_ref().is_some_and(|_| !body.has_image()) {
+            return Some(
+                "has a mesh that is not asked how it deforms: `elasticity = \"boundary_elements\"` is",
+            );
+        }
+        if body.has_image() {
+            return Some(
+                "has an image field, whose stresses are not computed: take `elasticity = \"boundary_elements\"`",
+            );
+        }
+        let meshed = |body: &Body| body.finite.is_some() && !body.has_image();
+        meshed(bodies[1 - which]).then_some(
+            "is a half-space opposite a mesh, whose nodes are no frame: stresses in it are not computed",
+        )
+    }
+
+    /// A body in contact, under tractions of the pairs (Pa) on body 1; `which` is its index, 0 or 1. `None` where it is no
+    /// half-space under a uniform frame.
+    pub fn in_contact(
+        bodies: [&Body; 2],
+        which: usize,
+        frame: &ContactFrame,
+        tractions: &VectorField,
+    ) -> Option<Self> {
+        if Self::refuses(bodies, which).is_some() {
+            return None;
+        }
+        // What friction does to body 1 it does to body 2 the other way; pressures press both.
+        let turned = |own: &[f64]| own.iter().map(|t| if which == 0 { *t } else { -t }).collect();
+        let [t1, t2] = [&tractions.t1, &tractions.t2].map(|own| turned(own));
+        let own = VectorField { t1, t2, n: tractions.n.clone() };
+        let depth = Body::depths(bodies, frame.size()[0])[which];
+        let below = Below::new(bodies[which].material.as_ref()?, frame, &own, depth)?;
+        Some(Self { sides: cut(frame, below.pressure()), below })
+    }
+
+    /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
+    /// frame.
+    pub fn at(&self, place: [f64; 3]) -> Option<Response> {
+        let known = place[2] <= 0.0 && -place[2] <= KNOWN * self.from_the_sides(place);
+        known.then(|| Response {
+            displacement: self.below.displacement(place),
+            stress: tensor(self.below.stress(place)),
+        })
+    }
+
+    /// Displacement and stress at points.
+    ///
+    /// # Errors
+    /// If a point lies above the surface, or its stress depends on pressures beyond the frame.
+    pub fn points(&self, points: &[Point]) -> Result<Vec<Response>, ElasticError> {
+        let at = |point: &Point| {
+            let wrong = || match point.place[2] > 0.0 {
+                true => ElasticError::Outside { point: point.clone() },
+                false => ElasticError::Cut { point: point.clone() },
+            };
+            self.at(point.place).ok_or_else(wrong)
+        };
+        points.iter().map(at).collect()
+    }
+
+    /// Displacement and stress on a section; places where they are not known are left out.
+    pub fn section(&self, section: &Section) -> Sampled {
+        section.responses(None, |place: DVec3| self.at(section.below_zero(place)?.to_array()))
+    }
+
+    /// How deep (m) stresses are known below the middle of the frame.
+    pub fn known_depth(&self) -> f64 {
+        let half = self.sides.map(|[low, high]| 0.5 * (high - low));
+        KNOWN * half[0].min(half[1])
+    }
+
+    /// How far (m) a place is from the sides that pressures are cut at.
+    fn from_the_sides(&self, place: [f64; 3]) -> f64 {
+        let each = (0..2).map(|axis| {
+            let [low, high] = self.sides[axis];
+            (place[axis] - low).min(high - place[axis])
+        });
+        each.fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The sides of a frame that pressures are cut at.
+fn cut(frame: &ContactFrame, pressure: &[f64]) -> [[f64; 2]; 2] {
+    let (elements, corner, size) = (frame.elements(), frame.rectangle().corner(), frame.size());
+    let open = !frame.measure().closed;
+    let axes = if frame.is_line() { 1 } else { 2 };
+    [0, 1].map(|axis| {
+        let pressed = |index: usize| {
+            let own = |pair: usize| [pair % elements[0], pair / elements[0]][axis];
+            (0..pressure.len()).any(|pair| own(pair) == index && pressure[pair] > 0.0)
+        };
+        let ends = [(0, corner[axis]), (elements[axis] - 1, corner[axis] + size[axis])];
+        let far = [f64::NEG_INFINITY, f64::INFINITY];
+        [0, 1].map(|end| {
+            let (index, place) = ends[end];
+            if open && axis < axes && pressed(index) { place } else { far[end] }
+        })
+    })
+}
+
+/// Components as a matrix.
+pub fn tensor([xx, yy, zz, xy, xz, yz]: Components) -> [[f64; 3]; 3] {
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+}

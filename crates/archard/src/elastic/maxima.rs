@@ -1,0 +1,226 @@
+//! The largest stresses below a contact, with their errors.
+//!
+//! Stresses of even elements of size h miss those of the tractions they stand for by a power of h: below the surface by the second,
+//! near an edge of the contact on the surface by h^(1/2), where tractions grow with the root of the distance. The same field on
+//! elements of 2 h and 4 h, under the means of the tractions, says by how much.
+
+use rayon::prelude::*;
+
+use super::Pressed;
+use crate::compliance::half_space::inside::Below;
+use crate::stress::{Components, orthogonal_shear, shear, tension, von_mises};
+
+/// What is looked for: names and measures (Pa).
+pub const MEASURES: [(&str, fn(&Components) -> f64); 4] = [
+    ("von_mises", von_mises),
+    ("shear", shear),
+    ("tension", tension),
+    ("orthogonal_shear", orthogonal_shear),
+];
+
+/// Ratio of depths that are looked at: between two of them a parabola misses a maximum by some thousandths. A choice of effort.
+const RATIO: f64 = 1.25;
+/// How many are looked at at most.
+const MOST: usize = 60;
+/// How closely a maximum is placed, relative to the size of an element.
+const CLOSE: f64 = 1.0 / 32.0;
+/// The least and the greatest order that a field can have.
+const ORDERS: [f64; 2] = [0.5, 2.0];
+
+/// A largest stress.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Maximum {
+    /// How large (Pa).
+    pub value: f64,
+    /// How far off it may be (Pa) because of the size of the elements; the error of the tractions themselves comes on top.
+    pub error: f64,
+    /// The order in the size of the elements that the error follows from.
+    pub order: f64,
+    /// Where it is (m), in the axes of the body.
+    pub place: [f64; 3],
+}
+
+/// What there is in a plane below the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// How deep (m).
+    pub depth: f64,
+    /// The largest value of each measure (Pa) below a centre of an element, and where along x and y (m).
+    pub largest: [(f64, [f64; 2]); 4],
+    /// The mean of the equivalent stress (Pa) below all that is pressed.
+    pub mean: f64,
+    /// The area (relative to that pressed) that yields, where the strength is known.
+    pub yields: Option<f64>,
+}
+
+/// The largest stresses of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Maxima {
+    /// Below the surface, in the order of [`MEASURES`].
+    pub inside: [Maximum; 4],
+    /// On the surface, extrapolated to elements without size.
+    pub surface: [Maximum; 4],
+    /// The planes that were looked at, from above.
+    pub layers: Vec<Layer>,
+}
+
+impl Maxima {
+    /// The larger of what is inside and what is on the surface.
+    pub fn largest(&self, measure: usize) -> Maximum {
+        let (inside, surface) = (self.inside[measure], self.surface[measure]);
+        if inside.value >= surface.value { inside } else { surface }
+    }
+}
+
+impl Pressed {
+    /// Depths (m) in a constant ratio, from half an element to as deep as the contact is wide along its shorter side, as far as
+    /// stresses are known; none where nothing is pressed.
+    pub fn depths(&self) -> Vec<f64> {
+        let [nx, _] = self.below.elements();
+        let pressed = self.below.pressure().iter().enumerate().filter(|(_, p)| **p > 0.0);
+        let none = [[usize::MAX, 0]; 2];
+        let extents = pressed.fold(none, |known, (element, _)| {
+            let index = [element % nx, element / nx];
+            [0, 1].map(|axis| [known[axis][0].min(index[axis]), known[axis][1].max(index[axis])])
+        });
+        let spacing = self.below.spacing();
+        let width = |axis: usize| {
+            let [low, high] = extents[axis];
+            (high + 1).saturating_sub(low) as f64 * spacing[axis]
+        };
+        let across = if self.below.is_line() { width(0) } else { width(0).min(width(1)) };
+        let (first, last) = (0.5 * spacing[0].min(spacing[1]), across.min(self.known_depth()));
+        if last < first {
+            return vec![];
+        }
+        let count = ((last / first).ln() / RATIO.ln()).ceil() as usize + 1;
+        let ratio = (last / first).powf(1.0 / (count.max(2) - 1) as f64);
+        (0..count.min(MOST)).map(|index| first * ratio.powi(index as i32)).collect()
+    }
+
+    /// The largest shear (Pa) along the surface, by which a line of contact that passes again and again shakes down after Melan
+    /// (K. L. Johnson & J. A. Jefferis, *Symposium on Rolling Contact Fatigue*, 1963): residual stresses xx and yy are free, and
+    /// what is left is that shear, up to the strength in shear. `None` where it is no line, or friction acts along it.
+    pub fn shakes_down(&self, maxima: &Maxima) -> Option<f64> {
+        let plane = self.below.is_line() && !self.below.rubs_along(1);
+        plane.then(|| maxima.largest(3).value)
+    }
+
+    /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under a strength (Pa).
+    /// `see` is shown the stresses in every plane.
+    pub fn maxima(
+        &self,
+        depths: &[f64],
+        (initial, strength): (&Components, Option<f64>),
+        see: &mut dyn FnMut(f64, &[Vec<f64>; 6]),
+    ) -> Option<Maxima> {
+        let layers: Vec<Layer> = depths
+            .iter()
+            .map(|&depth| {
+                let plane = plane(&self.below, depth, initial);
+                see(depth, &plane);
+                layer(&self.below, depth, &plane, strength)
+            })
+            .collect();
+        let coarse = self.below.coarser();
+        let levels = [&self.below, &coarse, &coarse.coarser()];
+        let inside = |measure: usize| -> Option<Maximum> {
+            let from = layers
+                .iter()
+                .max_by(|a, b| a.largest[measure].0.total_cmp(&b.largest[measure].0))?;
+            let [x, y] = from.largest[measure].1;
+            Some(below_surface(levels, (measure, initial), [x, y, -from.depth], depths))
+        };
+        let surfaces = levels.map(|below| {
+            let plane = plane(below, 0.0, initial);
+            layer(below, 0.0, &plane, None).largest
+        });
+        let surface = |measure: usize| on_surface(surfaces.each_ref().map(|own| own[measure]));
+        let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
+        Some(Maxima { inside, surface: [0, 1, 2, 3].map(surface), layers })
+    }
+}
+
+/// The stresses in a plane, with an even one.
+fn plane(below: &Below, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
+    let mut plane = below.plane(depth);
+    for (field, added) in plane.iter_mut().zip(initial) {
+        field.iter_mut().for_each(|value| *value += added);
+    }
+    plane
+}
+
+/// What there is in a plane.
+fn layer(below: &Below, depth: f64, plane: &[Vec<f64>; 6], strength: Option<f64>) -> Layer {
+    let of = |element: usize| plane.each_ref().map(|field| field[element]);
+    let count = below.pressure().len();
+    let all: Vec<[f64; 4]> = (0..count)
+        .into_par_iter()
+        .with_min_len(256)
+        .map(|element| MEASURES.map(|(_, measure)| measure(&of(element))))
+        .collect();
+    let largest = [0, 1, 2, 3].map(|measure| {
+        let element = (0..count).max_by(|&a, &b| all[a][measure].total_cmp(&all[b][measure]));
+        let element = element.unwrap_or_default();
+        (all[element][measure], below.place(element))
+    });
+    let pressed = |element: &usize| below.pressure()[*element] > 0.0;
+    let area = (0..count).filter(pressed).count().max(1) as f64;
+    let mean = (0..count).filter(pressed).map(|element| all[element][0]).sum::<f64>() / area;
+    let yields = strength.map(|own| all.iter().filter(|all| all[0] > own).count() as f64 / area);
+    Layer { depth, largest, mean, yields }
+}
+
+/// The maximum below the surface next to a place, within these depths; the field there on elements of twice and four times the size
+/// says how far off it may be.
+fn below_surface(
+    levels: [&Below; 3],
+    (measure, initial): (usize, &Components),
+    start: [f64; 3],
+    depths: &[f64],
+) -> Maximum {
+    let value = |below: &Below, place: [f64; 3]| {
+        let mut stress = below.stress(place);
+        stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
+        (MEASURES[measure].1)(&stress)
+    };
+    let [h, _] = levels[0].spacing();
+    let ends = [depths[0], depths[depths.len() - 1]];
+    let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
+    let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
+    // Uphill along one axis after the other, by steps that double where they lead up and halve where none does.
+    while step > CLOSE * h {
+        let mut higher = false;
+        for (axis, side) in axes.iter().flat_map(|&axis| [(axis, -1.0), (axis, 1.0)]) {
+            let mut next = place;
+            next[axis] += side * step;
+            next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+            let there = value(levels[0], next);
+            if there > best {
+                (place, best, higher) = (next, there, true);
+            }
+        }
+        step *= if higher { 1.0 } else { 0.5 };
+    }
+    let [near, far] = [1, 2].map(|level| value(levels[level], place));
+    let (first, second) = ((best - near).abs(), (near - far).abs());
+    let order = (second / first).log2().clamp(ORDERS[0], ORDERS[1]);
+    let order = if order.is_nan() { ORDERS[1] } else { order };
+    let ratio = order.exp2();
+    // One of both differences may vanish by chance.
+    let error = first.max(second / ratio) / (ratio - 1.0);
+    Maximum { value: best, error, order, place }
+}
+
+/// The maximum on the surface from those on elements of h, 2 h and 4 h: a series in h^(1/2), whose first two terms are taken out;
+/// taking out the first alone says how far off that may be.
+fn on_surface([fine, coarse, coarser]: [(f64, [f64; 2]); 3]) -> Maximum {
+    let without = |fine: f64, coarse: f64| {
+        let root = std::f64::consts::SQRT_2;
+        (root * fine - coarse) / (root - 1.0)
+    };
+    let [near, far] = [without(fine.0, coarse.0), without(coarse.0, coarser.0)];
+    let [x, y] = fine.1;
+    let error = (near - far).abs();
+    Maximum { value: 2.0 * near - far, error, order: ORDERS[0], place: [x, y, 0.0] }
+}
