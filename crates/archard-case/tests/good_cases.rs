@@ -14,6 +14,7 @@ mod good_cases {
     mod materials;
     mod meshed;
     pub mod rolling;
+    mod stress;
 }
 
 use std::path::Path;

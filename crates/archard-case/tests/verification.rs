@@ -50,6 +50,7 @@ mod verification {
     mod spence;
     mod standards;
     mod step_by_error;
+    mod stresses_of_half_spaces;
     mod stresses_under_contact;
     mod swinging;
     mod track;

@@ -4,6 +4,7 @@
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
 //! in contact is one too, once its tractions are known: [`Deformed::in_contact`]; of a half-space they say all: [`Pressed`].
 
+mod edge;
 mod half_space;
 mod maxima;
 mod section;

@@ -17,7 +17,7 @@ const LEFT_OUT: &[(&[&str], &str)] = &[
     ),
     (
         &["plastic", "yield"],
-        "bodies are elastic: a `hardness` of a body bounds the pressure where surfaces stay opposite each other",
+        "bodies are elastic: `output.stress.BODY.yield_strength` says how much of the strength is used, and a `hardness` of a body bounds the pressure where surfaces stay opposite each other",
     ),
     (
         &["roughness"],
@@ -33,7 +33,7 @@ const LEFT_OUT: &[(&[&str], &str)] = &[
     ),
     (
         &["fatigue", "crack", "fracture", "toughness", "spall"],
-        "nothing cracks: apply a criterion of your own to the stresses inside meshed bodies",
+        "nothing cracks: apply a criterion of your own to the stresses of `output.points`, `output.sections` or `output.stress`",
     ),
     (
         &["visco", "relaxation", "creep_modulus", "loss_factor"],

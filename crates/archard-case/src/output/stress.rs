@@ -107,20 +107,23 @@ fn write_table(manifest: &mut Manifest, body: &str, maxima: &Maxima) -> Result<(
 
 fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> Value {
     let peak = pressed.below.pressure().iter().copied().fold(0.0, f64::max);
-    let all = |of: &[Maximum; 4]| -> Value {
-        let each = MEASURES.iter().zip(of).map(|((name, _), own)| {
-            let value = json!({
-                "value_Pa": own.value,
-                "error_Pa": own.error,
-                "order": own.order,
-                "over_peak_pressure": own.value / peak,
-                "x_m": own.place[0],
-                "y_m": own.place[1],
-                "depth_m": -own.place[2],
-            });
-            ((*name).to_owned(), value)
-        });
-        Value::Object(each.collect())
+    let one = |own: &Maximum| {
+        json!({
+            "value_Pa": own.value,
+            "error_Pa": own.error,
+            "order": own.order,
+            "over_peak_pressure": own.value / peak,
+            "x_m": own.place[0],
+            "y_m": own.place[1],
+            "depth_m": -own.place[2],
+        })
+    };
+    let all = |of: [Option<Maximum>; 4]| -> Value {
+        let each = MEASURES.iter().zip(of);
+        Value::Object(
+            each.map(|((name, _), own)| ((*name).to_owned(), json!(own.as_ref().map(one))))
+                .collect(),
+        )
     };
     let yields = strength.map(|(strength, from)| {
         let largest = maxima.largest(0);
@@ -141,5 +144,5 @@ fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> V
             "state": state,
         })
     });
-    json!({ "inside": all(&maxima.inside), "surface": all(&maxima.surface), "yield": yields })
+    json!({ "inside": all(maxima.inside.map(Some)), "surface": all(maxima.surface), "yield": yields })
 }

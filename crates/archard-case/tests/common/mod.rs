@@ -16,7 +16,7 @@ use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
 use archard::wear::Archard;
-use archard_case::CaseFile;
+use archard_case::{CaseFile, Resolved};
 
 /// The steel of the reference problems.
 pub const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
@@ -105,14 +105,18 @@ impl Ball {
 
 /// The simulation of a case file with that text and these options.
 pub fn case(text: &str, options: &[&str]) -> Simulation {
+    resolved(text, options).case.build().expect("a checked case")
+}
+
+/// The same, checked.
+pub fn resolved(text: &str, options: &[&str]) -> Resolved {
     let file = CaseFile::from_text("case", text, ".");
     let file = options.iter().fold(file, |file, option| file.set(*option));
-    let resolved = file.resolve().unwrap_or_else(|problems| {
+    file.resolve().unwrap_or_else(|problems| {
         let described: Vec<String> =
             problems.iter().map(|problem| file.describe(problem)).collect();
         panic!("{}", described.join("\n"))
-    });
-    resolved.case.build().expect("a checked case")
+    })
 }
 
 /// A step of a problem at rest, under its control.

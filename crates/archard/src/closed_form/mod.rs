@@ -5,6 +5,7 @@
 
 pub mod carter;
 pub mod cattaneo_mindlin;
+pub mod first_yield;
 pub mod flash_temperature;
 pub mod flat_punch_wear;
 pub mod free_rolling;

@@ -1,12 +1,13 @@
 //! The largest stresses below a contact, with their errors.
 //!
-//! Stresses of even elements of size h miss those of the tractions they stand for by a power of h: below the surface by the second,
-//! near an edge of the contact on the surface by h^(1/2), where tractions grow with the root of the distance. The same field on
-//! elements of 2 h and 4 h, under the means of the tractions, says by how much.
+//! Stresses of even elements of size h miss those of the tractions they stand for by a power of h: below the surface by the second.
+//! The same field on elements of 2 h and 4 h, under the means of the tractions, says by how much. On the surface, next to an edge of
+//! the contact, they miss them by h^(1/2): what is there is [extrapolated](super::edge).
 
 use rayon::prelude::*;
 
 use super::Pressed;
+use super::edge::at_edge;
 use crate::compliance::half_space::inside::Below;
 use crate::stress::{Components, orthogonal_shear, shear, tension, von_mises};
 
@@ -24,6 +25,8 @@ const RATIO: f64 = 1.25;
 const MOST: usize = 60;
 /// How closely a maximum is placed, relative to the size of an element.
 const CLOSE: f64 = 1.0 / 32.0;
+/// Pressed elements around one that is away from the edge: as many as the field of an even element reaches.
+const AROUND: isize = 3;
 /// The least and the greatest order that a field can have.
 const ORDERS: [f64; 2] = [0.5, 2.0];
 
@@ -58,8 +61,9 @@ pub struct Layer {
 pub struct Maxima {
     /// Below the surface, in the order of [`MEASURES`].
     pub inside: [Maximum; 4],
-    /// On the surface, extrapolated to elements without size.
-    pub surface: [Maximum; 4],
+    /// On the surface, at an edge of the contact extrapolated to elements without size; `None` where the pressure does not fall to
+    /// zero there as it does at a smooth edge, so that the stress has no bound or is not resolved.
+    pub surface: [Option<Maximum>; 4],
     /// The planes that were looked at, from above.
     pub layers: Vec<Layer>,
 }
@@ -67,8 +71,8 @@ pub struct Maxima {
 impl Maxima {
     /// The larger of what is inside and what is on the surface.
     pub fn largest(&self, measure: usize) -> Maximum {
-        let (inside, surface) = (self.inside[measure], self.surface[measure]);
-        if inside.value >= surface.value { inside } else { surface }
+        let inside = self.inside[measure];
+        self.surface[measure].filter(|surface| surface.value > inside.value).unwrap_or(inside)
     }
 }
 
@@ -131,11 +135,10 @@ impl Pressed {
             let [x, y] = from.largest[measure].1;
             Some(below_surface(levels, (measure, initial), [x, y, -from.depth], depths))
         };
-        let surfaces = levels.map(|below| {
-            let plane = plane(below, 0.0, initial);
-            layer(below, 0.0, &plane, None).largest
-        });
-        let surface = |measure: usize| on_surface(surfaces.each_ref().map(|own| own[measure]));
+        let [hx, hy] = self.below.spacing();
+        let planes = [0.0, hx.max(hy)].map(|depth| self.below.plane(depth));
+        let surface =
+            |measure: usize| on_surface([&self.below, &coarse], (measure, initial), &planes);
         let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
         Some(Maxima { inside, surface: [0, 1, 2, 3].map(surface), layers })
     }
@@ -212,15 +215,64 @@ fn below_surface(
     Maximum { value: best, error, order, place }
 }
 
-/// The maximum on the surface from those on elements of h, 2 h and 4 h: a series in h^(1/2), whose first two terms are taken out;
-/// taking out the first alone says how far off that may be.
-fn on_surface([fine, coarse, coarser]: [(f64, [f64; 2]); 3]) -> Maximum {
-    let without = |fine: f64, coarse: f64| {
-        let root = std::f64::consts::SQRT_2;
-        (root * fine - coarse) / (root - 1.0)
+/// The maximum on the surface: where all is pressed around, or at the edge where elsewhere the largest value is; `None` where neither
+/// is known. Which edge that is an element deep says better than on the surface, where it is that at which elements stand out.
+fn on_surface(
+    [below, coarse]: [&Below; 2],
+    (measure, initial): (usize, &Components),
+    [face, deeper]: &[[Vec<f64>; 6]; 2],
+) -> Option<Maximum> {
+    let of = |mut stress: Components| {
+        stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
+        (MEASURES[measure].1)(&stress)
     };
-    let [near, far] = [without(fine.0, coarse.0), without(coarse.0, coarser.0)];
-    let [x, y] = fine.1;
-    let error = (near - far).abs();
-    Maximum { value: 2.0 * near - far, error, order: ORDERS[0], place: [x, y, 0.0] }
+    let [nx, ny] = below.elements();
+    let axes = if below.is_line() { [AROUND, 0] } else { [AROUND; 2] };
+    let surrounded = |element: usize| {
+        let index = [(element % nx) as isize, (element / nx) as isize];
+        (-axes[0]..=axes[0]).all(|dx| {
+            (-axes[1]..=axes[1]).all(|dy| {
+                let [i, j] = [index[0] + dx, index[1] + dy];
+                let there = (0..nx as isize).contains(&i) && (0..ny as isize).contains(&j);
+                there && below.pressure()[(i + nx as isize * j) as usize] > 0.0
+            })
+        })
+    };
+    let largest = |plane: &[Vec<f64>; 6], within: bool| {
+        let own = (0..below.pressure().len()).into_par_iter().with_min_len(256);
+        let own = own.filter(|element| surrounded(*element) == within);
+        let own = own.map(|element| (element, of(plane.each_ref().map(|field| field[element]))));
+        own.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
+    };
+    let middle = largest(face, true).map(|(element, value)| {
+        let [x, y] = below.place(element);
+        let coarse = of(coarse.stress([x, y, 0.0]));
+        let error = (value - coarse).abs() / (ORDERS[1].exp2() - 1.0);
+        Maximum { value, error, order: ORDERS[1], place: [x, y, 0.0] }
+    });
+    let Some((_, beside)) = largest(face, false) else { return middle };
+    let edge = largest(deeper, false).and_then(|(element, _)| {
+        let edge = at_edge(below, element)?;
+        let [value, farther, further] = edge.stress.map(of);
+        // Elements stand out from an edge that is aslant, and do so otherwise in the next rows.
+        let step = if edge.axis == 0 { nx } else { 1 };
+        let next = [element.checked_sub(step), Some(element + step)].into_iter().flatten();
+        let next = next.filter(|next| *next < below.pressure().len() && !below.is_line());
+        let next: Vec<f64> = next
+            .filter_map(|next| Some((of(at_edge(below, next)?.stress[0]) - value).abs()))
+            .collect();
+        if next.is_empty() && !below.is_line() {
+            return None;
+        }
+        let rows = next.into_iter().fold(0.0, f64::max);
+        let error = (value - farther).abs() + (value - further).abs() + rows;
+        let [x, y] = edge.place;
+        Some(Maximum { value, error, order: ORDERS[0], place: [x, y, 0.0] })
+    });
+    match (middle, edge) {
+        (Some(middle), Some(edge)) if middle.value > edge.value => Some(middle),
+        // What is large next to an edge that is not known may be larger still at it.
+        (Some(middle), None) if middle.value > beside => Some(middle),
+        (_, edge) => edge,
+    }
 }

@@ -1,4 +1,13 @@
-//! Measures of a stress, without contact: what yields, slides and opens by it.
+//! Measures of a stress, or of a path of stresses, without contact: what yields, opens and tires by it.
+
+mod ball;
+pub mod criteria;
+#[cfg(test)]
+#[path = "tests.rs"]
+mod paths;
+pub mod planes;
+
+pub use ball::smallest_ball;
 
 /// Components of a symmetric stress (Pa), positive in tension, in the order xx, yy, zz, xy, xz, yz.
 pub type Components = [f64; 6];

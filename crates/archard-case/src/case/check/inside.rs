@@ -29,6 +29,12 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     for (body, (points, sections)) in parts.bodies.iter().zip(wanted) {
         let any = !points.is_empty() || !sections.is_empty();
         let Some(finite) = body.finite.as_ref().filter(|_| any) else { continue };
+        let slides = parts.motion.slip(1.0) != 0.0 && parts.friction.is_some();
+        if slides && finite.mirrored[parts.motion.direction.axis] {
+            let key = Key::of(["body", &body.name, "symmetry"]);
+            let message = "friction along the motion is not symmetric, and neither are the stresses that are asked for: leave this plane of symmetry out";
+            problems.push(Problem::error(key, message));
+        }
         let surface = Surface::new(&finite.meshed.mesh, finite.interpolation, finite.mirrored);
         for point in points {
             if surface.depth(point.place.into()).is_none() {

@@ -139,7 +139,7 @@ impl Below {
         let depth = -place[2];
         let [hx, hy] = self.spacing();
         if depth >= hx.max(hy) {
-            return self.sum([place[0], place[1]], depth);
+            return self.even([place[0], place[1]], depth);
         }
         let cell = [0, 1].map(|axis| (place[axis] - self.corner[axis]) / self.spacing[axis] - 0.5);
         let line = self.depth.is_some();
@@ -187,7 +187,7 @@ impl Below {
     fn at_centre(&self, index: [f64; 2], depth: f64) -> Components {
         let centre =
             [0, 1].map(|axis| self.corner[axis] + self.spacing[axis] * (index[axis] + 0.5));
-        let mut stress = self.sum(centre, depth);
+        let mut stress = self.even(centre, depth);
         let counts = self.elements;
         if (0..2).all(|axis| (0.0..counts[axis] as f64).contains(&index[axis])) {
             let element = index[0] as usize + counts[0] * index[1] as usize;
@@ -197,8 +197,8 @@ impl Below {
         stress
     }
 
-    /// The stress of even elements at a place (m) and depth (m).
-    fn sum(&self, at: [f64; 2], z: f64) -> Components {
+    /// The stress (Pa) of even elements at a place and a depth (m); on the surface not finite at the edges of those that are pressed.
+    pub fn even(&self, at: [f64; 2], z: f64) -> Components {
         let poisson = self.material.poisson;
         let stress = match self.depth {
             None => self.weighed(

@@ -60,8 +60,8 @@ fn displacements_and_stresses_solve_the_equations_of_elasticity() {
             let own = |i: usize| 2.0 * g * (u[i][i] + n / (1.0 - 2.0 * n) * sum);
             let shear = |i: usize, j: usize| g * (u[i][j] + u[j][i]);
             let known = [own(0), own(1), own(2), shear(0, 1), shear(0, 2), shear(1, 2)];
-            near(below.sum([place[0], place[1]], -place[2]), known, 2e-10);
-            let s = slopes(|[x, y, z]| below.sum([x, y], -z), place);
+            near(below.even([place[0], place[1]], -place[2]), known, 2e-10);
+            let s = slopes(|[x, y, z]| below.even([x, y], -z), place);
             for rows in [[0, 3, 4], [3, 1, 5], [4, 5, 2]] {
                 let left = s[0][rows[0]] + s[1][rows[1]] + s[2][rows[2]];
                 assert!(left.abs() < 1e-9, "{left}");
@@ -92,7 +92,7 @@ fn the_surface_bears_the_tractions_and_displacements_are_those_of_the_compliance
         let known = compliance.apply(&tractions);
         for element in 0..nx * ny {
             let [x, y] = below.place(element);
-            let stress = below.sum([x, y], 0.0);
+            let stress = below.even([x, y], 0.0);
             let t = tractions.components().map(|own| own[element]);
             for (component, own) in [(4, t[0]), (5, t[1]), (2, t[2])] {
                 assert!((stress[component] - own).abs() < 1e-14, "{component}");
@@ -120,7 +120,7 @@ fn a_plane_holds_what_sums_at_its_places_say() {
                 let known = if depth < 0.4 {
                     below.stress([x, y, -depth])
                 } else {
-                    below.sum([x, y], depth)
+                    below.even([x, y], depth)
                 };
                 let added = below.varying(depth, element);
                 let left = if depth < 0.4 { [0.0; 6] } else { added };
@@ -150,7 +150,7 @@ fn far_away_an_element_is_a_point_force() {
     let [xz, yz] = [x, y].map(|own| -3.0 * own * z * z / r.powi(5));
     let boussinesq = [pressed[0][0], pressed[0][1], pressed[1][0], xy, xz, yz];
     let h = 1e-3;
-    let element = |t: [f64; 3]| square([1, 1], h, |_| t, None).sum([x, y], z);
+    let element = |t: [f64; 3]| square([1, 1], h, |_| t, None).even([x, y], z);
     // From z into the body to z out of it.
     let known = boussinesq.map(|value| value * h * h / (2.0 * PI));
     near(super::super::turned(element([0.0, 0.0, 1.0])), known, 1e-6 * h * h);

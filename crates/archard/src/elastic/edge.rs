@@ -1,0 +1,126 @@
+//! The stress at the edge of a contact, on the surface.
+//!
+//! Where tractions fall to zero with the root of the distance from an edge, the stresses along the surface are largest right at it,
+//! and beyond they change by A + B d^(1/2) + C d with the distance d. Elements blur the edge: what they have there is off by the root
+//! of their size, but at the centres of open elements it is not. The edge lies where a parabola through the squares of the pressures
+//! has its root, the last pressed element left out; A follows by least squares. The same from points farther away, and with a
+//! further term, says how far off it may be.
+
+use faer::Mat;
+use faer::linalg::solvers::SolveLstsq;
+
+use crate::compliance::half_space::inside::Below;
+use crate::stress::Components;
+
+/// Open elements beyond the edge that are looked at.
+const OPEN: usize = 5;
+
+/// The stress at an edge in three ways, the first of them the best.
+pub(super) struct AtEdge {
+    pub stress: [Components; 3],
+    /// Where the edge is (m).
+    pub place: [f64; 2],
+    /// The axis across it.
+    pub axis: usize,
+}
+
+/// At the edge next to an element; `None` where pressures do not fall to zero as they do at a smooth edge.
+pub(super) fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
+    let line = Line::outward(below, element)?;
+    // Squares of pressures behind the last pressed element, and how far inside of the first of these the edge lies, in elements.
+    let [near, next, far] = [1, 2, 3].map(|inward| line.pressure(-inward).powi(2));
+    if !(near > 0.0 && next > near && far > 0.0) {
+        return None;
+    }
+    let (slope, bend) = (2.0 * next - 1.5 * near - 0.5 * far, 0.5 * (near + far) - next);
+    let root = (slope * slope - 4.0 * bend * near).max(0.0).sqrt();
+    let edge = -2.0 * near / (slope + root);
+    if !(-2.0 < edge && edge < 0.0) {
+        return None;
+    }
+    let open: Vec<([f64; 2], f64)> = (1..=OPEN as isize)
+        .map(|outward| (line.place(outward as f64), edge + 1.0 + outward as f64))
+        .collect();
+    if (1..=OPEN as isize).any(|outward| line.pressure(outward) > 0.0) {
+        return None;
+    }
+    let stresses: Vec<Components> = open.iter().map(|(place, _)| below.even(*place, 0.0)).collect();
+    let limit = |from: usize, powers: &[f64]| -> Components {
+        let (distances, found) = (&open[from..from + 4], &stresses[from..from + 4]);
+        let terms = Mat::from_fn(4, powers.len(), |i, j| distances[i].1.powf(powers[j]));
+        let values = Mat::from_fn(4, 6, |i, component| found[i][component]);
+        let solved = terms.qr().solve_lstsq(&values);
+        std::array::from_fn(|component| solved[(0, component)])
+    };
+    let stress =
+        [limit(0, &[0.0, 0.5, 1.0]), limit(1, &[0.0, 0.5, 1.0]), limit(1, &[0.0, 0.5, 1.0, 1.5])];
+    Some(AtEdge { stress, place: line.place(-1.0 - edge), axis: line.axis })
+}
+
+/// Elements in a row, from the last pressed one outward.
+struct Line<'a> {
+    below: &'a Below,
+    last: usize,
+    axis: usize,
+    /// 1 or -1.
+    side: isize,
+}
+
+impl<'a> Line<'a> {
+    /// Across the edge next to an element: along the axis that pressures change by most.
+    fn outward(below: &'a Below, element: usize) -> Option<Self> {
+        let [nx, ny] = below.elements();
+        let at = |i: isize, j: isize| {
+            let inside = (0..nx as isize).contains(&i) && (0..ny as isize).contains(&j);
+            if inside { below.pressure()[(i + nx as isize * j) as usize] } else { 0.0 }
+        };
+        let [i, j] = [(element % nx) as isize, (element / nx) as isize];
+        let mut pull = [0.0; 2];
+        for (dx, dy) in (-2..=2).flat_map(|dx| (-2..=2).map(move |dy| (dx, dy))) {
+            let pressure = at(i + dx, j + dy);
+            pull[0] += dx as f64 * pressure;
+            pull[1] += dy as f64 * pressure;
+        }
+        let axis = usize::from(pull[1].abs() > pull[0].abs());
+        if pull[axis] == 0.0 {
+            return None;
+        }
+        let side = if pull[axis] > 0.0 { -1 } else { 1 };
+        let mut line = Self { below, last: element, axis, side };
+        // To the last pressed one: inward from an open element, outward from a pressed one.
+        let pressed = line.pressure(0) > 0.0;
+        let steps = (1..=3).find(|&step| {
+            let (inner, outer) = if pressed { (step - 1, step) } else { (-step, 1 - step) };
+            line.pressure(inner) > 0.0 && line.pressure(outer) == 0.0
+        })?;
+        let moved = if pressed { steps - 1 } else { -steps };
+        line.last = line.element(moved)?;
+        Some(line)
+    }
+
+    fn element(&self, outward: isize) -> Option<usize> {
+        let elements = self.below.elements();
+        let index = [self.last % elements[0], self.last / elements[0]];
+        let moved = index[self.axis] as isize + self.side * outward;
+        let there = (0..elements[self.axis] as isize).contains(&moved);
+        there.then(|| {
+            let other = index[1 - self.axis];
+            if self.axis == 0 {
+                moved as usize + elements[0] * other
+            } else {
+                other + elements[0] * moved as usize
+            }
+        })
+    }
+
+    fn pressure(&self, outward: isize) -> f64 {
+        self.element(outward).map_or(0.0, |element| self.below.pressure()[element])
+    }
+
+    /// The place so many elements outward of the last pressed one.
+    fn place(&self, outward: f64) -> [f64; 2] {
+        let mut place = self.below.place(self.last);
+        place[self.axis] += self.side as f64 * outward * self.below.spacing()[self.axis];
+        place
+    }
+}

@@ -1,0 +1,114 @@
+//! The plane through a point that is worst off.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+use super::Components;
+use super::ball::smallest_ball;
+
+/// The normal of a plane, of unit length.
+pub type Plane = [f64; 3];
+
+/// Steps of the planes that are tried between the pole and the equator: ten degrees each. A choice of effort.
+const STEPS: usize = 9;
+/// How many of them are refined.
+const BEST: usize = 6;
+/// How closely (rad).
+const CLOSE: f64 = 1e-7;
+
+/// What a path of stresses, or strains, does on a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OnPlane {
+    /// Normal to it, a value a moment.
+    pub normal: Vec<f64>,
+    /// Along it, in two directions.
+    pub shear: Vec<[f64; 2]>,
+}
+
+impl OnPlane {
+    /// On a plane.
+    pub fn of(path: &[Components], plane: Plane) -> Self {
+        let [u, v] = axes(plane);
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let on = |&[xx, yy, zz, xy, xz, yz]: &Components| {
+            let drawn = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(row, plane));
+            (dot(drawn, plane), [dot(drawn, u), dot(drawn, v)])
+        };
+        let (normal, shear) = path.iter().map(on).unzip();
+        Self { normal, shear }
+    }
+
+    /// The radius of the smallest circle around the shear.
+    pub fn shear_amplitude(&self) -> f64 {
+        smallest_ball(&self.shear).1
+    }
+
+    /// The largest normal component.
+    pub fn largest_normal(&self) -> f64 {
+        self.normal.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Half of the range of the normal component.
+    pub fn normal_amplitude(&self) -> f64 {
+        let least = self.normal.iter().copied().fold(f64::INFINITY, f64::min);
+        0.5 * (self.largest_normal() - least)
+    }
+}
+
+/// The largest value over all planes, and where: the best of some are refined.
+pub fn worst(value: impl Fn(Plane) -> f64) -> (f64, Plane) {
+    let mut tried: Vec<(f64, Plane)> = planes().into_iter().map(|one| (value(one), one)).collect();
+    tried.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let refined = tried.into_iter().take(BEST).map(|start| refine(&value, start));
+    refined.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::NAN, [0.0, 0.0, 1.0]))
+}
+
+fn refine(value: &impl Fn(Plane) -> f64, (mut best, mut plane): (f64, Plane)) -> (f64, Plane) {
+    let mut step = FRAC_PI_2 / STEPS as f64;
+    while step > CLOSE {
+        let [u, v] = axes(plane);
+        let around = (0..8).map(|eighth| {
+            let (sin, cos) = (f64::from(eighth) * FRAC_PI_4).sin_cos();
+            let next = [0, 1, 2].map(|i| plane[i] + step * (cos * u[i] + sin * v[i]));
+            let next = unit(next);
+            (value(next), next)
+        });
+        match around.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            // By more than rounding.
+            Some((there, next)) if there > best + 4.0 * f64::EPSILON * best.abs() => {
+                (best, plane) = (there, next);
+            }
+            _ => step *= 0.5,
+        }
+    }
+    (best, plane)
+}
+
+/// Normals over half of the sphere, about evenly.
+fn planes() -> Vec<Plane> {
+    let mut planes = vec![];
+    for row in 0..=STEPS {
+        let polar = FRAC_PI_2 * row as f64 / STEPS as f64;
+        let equator = row == STEPS;
+        let all = (4.0 * STEPS as f64 * polar.sin()).round().max(1.0);
+        let (count, turn) = if equator { (2.0 * STEPS as f64, PI) } else { (all, 2.0 * PI) };
+        for index in 0..count as usize {
+            let (sin, cos) = (turn * index as f64 / count).sin_cos();
+            planes.push([polar.sin() * cos, polar.sin() * sin, polar.cos()]);
+        }
+    }
+    planes
+}
+
+/// Two directions in a plane, at right angles.
+fn axes([x, y, z]: Plane) -> [[f64; 3]; 2] {
+    // Across the normal and the axis that it is not along.
+    let first = if x.abs() < 0.7 { [0.0, z, -y] } else { [-z, 0.0, x] };
+    let first = unit(first);
+    let [a, b, c] = first;
+    [first, [y * c - z * b, z * a - x * c, x * b - y * a]]
+}
+
+fn unit(vector: [f64; 3]) -> [f64; 3] {
+    let length = vector.iter().map(|value| value * value).sum::<f64>().sqrt();
+    vector.map(|value| value / length)
+}
