@@ -236,6 +236,15 @@ class Result:
         return self._table("points.csv")
 
     @property
+    def stresses(self) -> dict[str, Any]:
+        """The largest stresses of each half-space that were asked for, as in `summary.json`: value, error and place of each."""
+        return self.summary.get("stress") or {}
+
+    def stress(self, body: str) -> Table:
+        """Return the largest stresses in a half-space, a row a depth."""
+        return self._table(f"stress_{body}.csv")
+
+    @property
     def fields(self) -> Sequence[Snapshot]:
         """The fields of all outputs; each is read when it is asked for."""
         with _damage.naming(self.folder, "fields.pvd"):

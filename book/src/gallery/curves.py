@@ -140,3 +140,26 @@ def along(
     one.set_ylim(bottom=0, top=top)
     one.legend(loc="upper left" if bands else "best")
     return drawn
+
+
+def beneath(result, body):
+    """Draw the largest stresses below a contact over the depth, with those on the surface."""
+    table = result.stress(body)
+    found = result.stresses[body]
+    drawn, axes = figure(5.6)
+    one = axes.flat[0]
+    kinds = {"von_mises": ("von Mises", BLUE), "shear": ("shear", GREEN), "tension": ("tension", ORANGE)}
+    for name, (label, colour) in kinds.items():
+        one.plot(table[f"{name}_Pa"] * 1e-6, table["depth_m"] * 1e6, color=colour, linewidth=3, label=f"largest {label}")
+        place = found["surface"][name]
+        if place:
+            one.plot(place["value_Pa"] * 1e-6, 0.0, "o", color=colour, markersize=10, clip_on=False)
+    one.plot([], [], "o", color=GREY, label="on the surface")
+    strength = (found["yield"] or {}).get("strength_Pa")
+    if strength:
+        one.axvline(strength * 1e-6, color="black", linestyle=":", linewidth=1.5, label="yield stress")
+    one.set(xlabel="Stress (MPa)", ylabel="Depth (µm)")
+    one.set_xlim(left=0)
+    one.set_ylim(table["depth_m"].max() * 1e6, 0)
+    one.legend()
+    return drawn

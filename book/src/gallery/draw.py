@@ -13,7 +13,7 @@ from pathlib import Path
 
 import archard
 from archard import _toml
-from curves import against, along, loop, section
+from curves import against, along, beneath, loop, section
 from maps import plan, spots, surface
 from matplotlib import pyplot
 from PIL import Image
@@ -21,7 +21,7 @@ from solids import mesh, wall
 
 HERE = Path(__file__).parent
 WIDTH, HIGHEST = 900, 650
-KINDS = {kind.__name__: kind for kind in (surface, plan, spots, section, against, loop, along, mesh, wall)}
+KINDS = {kind.__name__: kind for kind in (surface, plan, spots, section, against, loop, along, beneath, mesh, wall)}
 
 
 def scaled(picture):

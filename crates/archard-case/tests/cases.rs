@@ -7,7 +7,7 @@
 //! [[expect]]
 //! column = "wear_depth_m"                # a result column
 //! at = "500 mm"                          # progress of its row; the last row if left out
-//! point = "middle"                       # of an elastic body, instead: the point
+//! point = "middle"                       # inside of a body, instead: the point, the first of that name
 //! value = "2.059002 um"                  # with a unit of the column's dimension, if it has one
 //! within = 0.006                         # largest relative difference
 //! known_to = 5e-6                        # relative uncertainty of the value, where an accuracy is judged by it too
@@ -22,6 +22,7 @@ mod published {
     pub mod validation;
 }
 
+use std::error::Error;
 use std::fs;
 use std::num::NonZero;
 use std::ops::ControlFlow;
@@ -29,7 +30,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
 
-use archard::elastic;
+use archard::elastic::{self, Point, Pressed, Response};
+use archard::frame::VectorField;
+use archard::simulation::{Observer, Report};
 use archard::units::{self, Dimension, Measure};
 use archard_case::output::{RailWear, Store, contact_row};
 use archard_case::{CaseFile, Task};
@@ -134,9 +137,9 @@ fn read(text: &str, column: &str) -> f64 {
     }
 }
 
-/// What a case gives: a row a step, or a row a point of an elastic body.
+/// What a case gives: a row a step, and a row a point inside of a body.
 struct Results {
-    points: Vec<String>,
+    points: Vec<(String, Vec<(String, f64)>)>,
     rows: Rows,
 }
 
@@ -152,9 +155,8 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
         Task::Elastic(resolved) => {
             let body = resolved.case.build().map_err(|error| error.to_string())?;
             let deformed = body.solve().map_err(|error| error.to_string())?;
-            let points = body.points.iter().map(|point| point.name.clone()).collect();
-            let rows = Rows(deformed.points.iter().map(elastic::row).collect());
-            return Ok(Results { points, rows });
+            let points = named(&body.points, &deformed.points);
+            return Ok(Results { points, rows: Rows::default() });
         }
         Task::WheelRail(resolved) => {
             let results = resolved.case.solve(|_, _| ControlFlow::Continue(()));
@@ -169,9 +171,36 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
     // Cases of the same body share its compliance.
     let settled = resolved.settle(&mut |case| Ok(case.build_keeping(store)?), &mut |_| Ok(()));
     let (_, simulation) = settled.map_err(|error| error.to_string())?;
-    let mut rows = Rows::default();
-    simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
-    Ok(Results { points: vec![], rows })
+    let (mut rows, mut last) = (Rows::default(), Last::default());
+    simulation.run(&mut [&mut rows, &mut last]).map_err(|error| error.to_string())?;
+    let problem = &simulation.problem;
+    let mut points = vec![];
+    for which in 0..2 {
+        let bodies = problem.bodies.each_ref();
+        if let Some(pressed) = Pressed::in_contact(bodies, which, &problem.frame, &last.0) {
+            let wanted = &resolved.case.points[which];
+            let found = pressed.points(wanted).map_err(|error| error.to_string())?;
+            points.extend(named(wanted, &found));
+        }
+    }
+    Ok(Results { points, rows })
+}
+
+/// The last tractions.
+#[derive(Default)]
+struct Last(VectorField);
+
+impl Observer for Last {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
+        self.0 = report.problem.tractions(report.state);
+        Ok(())
+    }
+}
+
+/// A row a point.
+fn named(points: &[Point], found: &[Response]) -> Vec<(String, Vec<(String, f64)>)> {
+    let rows = points.iter().zip(found);
+    rows.map(|(point, response)| (point.name.clone(), elastic::row(response))).collect()
 }
 
 /// The number in a column at a point or at the given progress, which is the first column.
@@ -179,7 +208,7 @@ fn number(Results { points, rows }: &Results, expected: &Expected) -> Option<f64
     let Expected { column, at, point, .. } = expected;
     let row = match (at, point) {
         (None, None) => rows.0.last()?,
-        (_, Some(name)) => rows.0.get(points.iter().position(|known| known == name)?)?,
+        (_, Some(name)) => &points.iter().find(|(known, _)| known == name)?.1,
         (Some(at), None) => {
             let place = read(at, &rows.0.first()?.first()?.0);
             rows.0.iter().find(|row| (row[0].1 - place).abs() <= 1e-9 * place)?

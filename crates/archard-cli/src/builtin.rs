@@ -26,6 +26,7 @@ pub struct Builtin {
 /// All of them.
 pub const CASES: &[Builtin] = &[
     without_files("hertz", include_str!("../cases/hertz/case.toml")),
+    without_files("sliding_stress", include_str!("../cases/sliding_stress/case.toml")),
     without_files("manchester", include_str!("../cases/manchester/case.toml")),
     Builtin {
         name: "wheel_wear",

@@ -12,6 +12,7 @@ mod page;
 mod rail;
 mod run;
 mod scans;
+mod stress;
 mod study;
 mod tables;
 mod words;

@@ -10,7 +10,7 @@ use super::figures::{Figure, drawn};
 use super::html::{Html, fill};
 use super::maps::{self, Maps};
 use super::page::{Header, Page, Sections, Table, definitions, list};
-use super::{name_of, tables, words};
+use super::{name_of, stress, tables, words};
 use crate::compare::Comparison;
 use crate::number::of_a_line;
 use crate::plot;
@@ -111,6 +111,7 @@ impl Run<'_> {
             fill("<p>The contact is a line: {}.</p>\n", &[&of_a_line(frame.size[1])])
         });
         all.add("results", "Results", &(numbers.html() + line + note));
+        all.add("stresses", "Stresses below the surface", &stress::table(results).html());
         let judged = tables::verdict(&results.summary).html() + self.warnings();
         all.add("verdict", "Verdict", &judged);
         let mut number = 0;

@@ -227,31 +227,36 @@ fn on_surface(
         (MEASURES[measure].1)(&stress)
     };
     let [nx, ny] = below.elements();
-    let axes = if below.is_line() { [AROUND, 0] } else { [AROUND; 2] };
-    let surrounded = |element: usize| {
-        let index = [(element % nx) as isize, (element / nx) as isize];
-        (-axes[0]..=axes[0]).all(|dx| {
-            (-axes[1]..=axes[1]).all(|dy| {
-                let [i, j] = [index[0] + dx, index[1] + dy];
-                let there = (0..nx as isize).contains(&i) && (0..ny as isize).contains(&j);
-                there && below.pressure()[(i + nx as isize * j) as usize] > 0.0
-            })
-        })
+    let pressed = |element: usize, dx: isize, dy: isize| {
+        let [i, j] = [(element % nx) as isize + dx, (element / nx) as isize + dy];
+        let there = (0..nx as isize).contains(&i) && (0..ny as isize).contains(&j);
+        there && below.pressure()[(i + nx as isize * j) as usize] > 0.0
     };
-    let largest = |plane: &[Vec<f64>; 6], within: bool| {
+    let across = if below.is_line() { 0 } else { AROUND };
+    let surrounded = |element: usize| {
+        (-AROUND..=AROUND).all(|dx| (-across..=across).all(|dy| pressed(element, dx, dy)))
+    };
+    // Open, next to a pressed one.
+    let rim = |element: usize| {
+        let next = [[-1, 0], [1, 0], [0, -1], [0, 1]];
+        !pressed(element, 0, 0) && next.into_iter().any(|[dx, dy]| pressed(element, dx, dy))
+    };
+    let largest = |plane: &[Vec<f64>; 6], counts: &(dyn Fn(usize) -> bool + Sync)| {
         let own = (0..below.pressure().len()).into_par_iter().with_min_len(256);
-        let own = own.filter(|element| surrounded(*element) == within);
+        let own = own.filter(|element| counts(*element));
         let own = own.map(|element| (element, of(plane.each_ref().map(|field| field[element]))));
         own.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
     };
-    let middle = largest(face, true).map(|(element, value)| {
+    let middle = largest(face, &surrounded).map(|(element, value)| {
         let [x, y] = below.place(element);
         let coarse = of(coarse.stress([x, y, 0.0]));
         let error = (value - coarse).abs() / (ORDERS[1].exp2() - 1.0);
         Maximum { value, error, order: ORDERS[1], place: [x, y, 0.0] }
     });
-    let Some((_, beside)) = largest(face, false) else { return middle };
-    let edge = largest(deeper, false).and_then(|(element, _)| {
+    let Some((_, beside)) = largest(face, &|element| !surrounded(element)) else {
+        return middle;
+    };
+    let edge = largest(deeper, &rim).and_then(|(element, _)| {
         let edge = at_edge(below, element)?;
         let [value, farther, further] = edge.stress.map(of);
         // Elements stand out from an edge that is aslant, and do so otherwise in the next rows.

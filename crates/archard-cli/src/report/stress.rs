@@ -1,0 +1,56 @@
+//! The largest stresses in half-spaces, in a table.
+
+use serde_json::Value;
+
+use super::page::{Table, capital};
+use super::words::quantity;
+use crate::plot::results::Results;
+
+/// What is looked for, by the keys of the summary.
+const MEASURES: [(&str, &str); 4] = [
+    ("von_mises", "equivalent stress (von Mises)"),
+    ("shear", "shear on any plane"),
+    ("tension", "tension"),
+    ("orthogonal_shear", "shear parallel to the surface"),
+];
+
+/// A row a largest stress; without rows where none was asked for.
+pub(super) fn table(results: &Results) -> Table {
+    let bodies = results.summary["stress"].as_object();
+    let rows = bodies.into_iter().flatten().flat_map(|(body, block)| {
+        let places = [("inside", "below the surface"), ("surface", "on the surface")];
+        let all = places.into_iter().flat_map(move |(key, place)| {
+            MEASURES
+                .iter()
+                .filter_map(move |(name, what)| row(&block[key][name], body, (what, place)))
+        });
+        all.chain(used(&block["yield"], body))
+    });
+    Table {
+        caption: "The largest stresses at the end, tension positive, with what the size of elements leaves open".to_owned(),
+        heads: vec!["Stress", "Value", "Error", "Depth"],
+        rows: rows.collect(),
+    }
+}
+
+fn row(one: &Value, body: &str, (what, place): (&str, &str)) -> Option<Vec<String>> {
+    let number = |key: &str| one[key].as_f64();
+    Some(vec![
+        format!("{}, {place} of {body}", capital(what)),
+        quantity(number("value_Pa")?, "Pa"),
+        quantity(number("error_Pa")?, "Pa"),
+        quantity(number("depth_m")?, "m"),
+    ])
+}
+
+/// How much of the strength is used.
+fn used(block: &Value, body: &str) -> Option<Vec<String>> {
+    let number = |key: &str| block[key].as_f64();
+    let state = block["state"].as_str()?;
+    Some(vec![
+        format!("Of the yield stress of {body} ({state})"),
+        format!("{:.3}", number("utilisation")?),
+        format!("{:.1e}", number("utilisation_error")?),
+        quantity(number("depth_m")?, "m"),
+    ])
+}
