@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use archard::body::Profile;
 use archard::body::profile::{Cylinder, Flat, Sphere};
 use archard::closed_form::first_yield::FirstYield;
-use archard::elastic::{Maxima, Pressed};
+use archard::elastic::{MEASURES, Maxima, Maximum, Pressed};
 use archard::frame::VectorField;
 use archard::motion::Control;
+use archard::stress::Components;
 use archard::{Body, Contact, Material};
 
 /// The largest stresses in body 1 or 2 of a contact under Hertz's load, with friction in proportion to the pressure.
@@ -40,59 +41,66 @@ fn ball(per_radius: usize) -> (Contact, f64) {
     (contact, 1.5 * load / (PI * a * a))
 }
 
-/// What is found is within its error of what is known, with the error of the pressures themselves, a hundredth on the coarsest
-/// grid, on top; and the error is no larger than it has to be.
+/// What pressures on a frame miss on top of what is stated, relative to the stress: they are those of the solver, no means of
+/// Hertz's.
+const PRESSURES: f64 = 0.01;
+
+#[track_caller]
+fn within(found: Maximum, known: f64, peak: f64) {
+    let [value, error] = [found.value, found.error].map(|own| own / peak);
+    assert!((value - known).abs() < error + PRESSURES * known, "{value} +- {error} for {known}");
+}
+
 #[test]
 fn largest_stresses_of_a_ball_are_within_their_errors() {
-    let poisson = 0.3;
-    for mu in [0.0, 0.25, 0.5] {
-        // Tables of the whole field (Hankel integrals).
-        let (inside, depth) = match mu {
-            0.0 => (0.620041, 0.48086),
-            0.25 => (0.647593, 0.44405),
-            _ => (0.732065, f64::NAN),
-        };
-        let edge = (1.0 - 2.0 * poisson) / 3.0 + mu * PI * (4.0 + poisson) / 8.0;
-        let mut missed = vec![];
-        for per_radius in [8, 16, 32] {
+    // Of the whole field (Hankel integrals): below the surface, and at the trailing edge on it.
+    for (mu, inside, rim) in
+        [(0.0, 0.620041, 0.230940), (0.25, 0.647593, 0.579284), (0.5, f64::NAN, 0.956684)]
+    {
+        let tension = 0.4 / 3.0 + mu * PI * 4.3 / 8.0;
+        let mut errors = vec![];
+        for per_radius in [8, 12, 16, 20, 32, 48] {
             let (contact, peak) = ball(per_radius);
             for which in [0, 1] {
                 let (maxima, _) = maxima(&contact, which, mu);
-                let (found, tension) = (maxima.inside[0], maxima.surface[2].unwrap());
-                let pressures = 0.16 / per_radius as f64;
-                let off = found.value / peak - inside;
-                assert!(
-                    off.abs() < found.error / peak + pressures * inside,
-                    "von Mises, mu {mu}, {per_radius}: {} {}",
-                    found.value / peak,
-                    found.error / peak
-                );
-                let off = tension.value / peak - edge;
-                assert!(
-                    off.abs() < tension.error / peak + pressures * edge,
-                    "tension, mu {mu}, {per_radius}: {} {} for {edge}",
-                    tension.value / peak,
-                    tension.error / peak
-                );
-                if mu < 0.4 && per_radius > 8 {
-                    let deep = -found.place[2] / 1e-4;
-                    assert!((deep - depth).abs() < 0.02, "{deep} for {depth}");
+                let [deep, largest, pulled] =
+                    [maxima.inside[0], maxima.surface[0].unwrap(), maxima.surface[2].unwrap()];
+                within(largest, rim, peak);
+                within(pulled, tension, peak);
+                if inside > 0.0 {
+                    within(deep, inside, peak);
+                    let known = if mu == 0.0 { 0.48086 } else { 0.44405 };
+                    assert!((-deep.place[2] / 1e-4 - known).abs() < 0.02, "{:?}", deep.place);
                 }
                 // Friction pushes body 1 along x, and pulls behind the contact; body 2 the other way.
-                if mu > 0.0 && per_radius > 8 {
-                    let x = tension.place[0] / if which == 0 { -1e-4 } else { 1e-4 };
+                if mu > 0.0 {
+                    let x = pulled.place[0] / if which == 0 { -1e-4 } else { 1e-4 };
                     assert!((x - 1.0).abs() < 0.1, "{x}");
                 }
-                missed.push((found.error / peak, tension.error / peak));
+                errors.push([deep.error, pulled.error].map(|own| own / peak));
             }
         }
-        let [coarse, .., fine] = &missed[..] else { panic!("grids") };
-        assert!(fine.0 < coarse.0 / 6.0 && fine.0 < 2e-3, "mu {mu}: {missed:?}");
-        assert!(fine.1 < 0.03 * edge.max(0.5), "mu {mu}: {missed:?}");
+        let [coarse, .., fine] = &errors[..] else { panic!("grids") };
+        assert!(fine[0] < coarse[0] / 8.0 && fine[0] < 1e-3, "mu {mu}: {errors:?}");
+        assert!(fine[1] < 0.02, "mu {mu}: {errors:?}");
     }
 }
 
-/// McEwen's field: von Mises inside, and the shear along the surface by which lines shake down.
+/// E. McEwen, *Phil. Mag.* 40 (1949) 454; J. O. Smith & C. K. Liu, *J. Appl. Mech.* 20 (1953) 157: z into the body.
+fn mcewen(x: f64, z: f64, mu: f64) -> Components {
+    let b = 1.0 - x * x + z * z;
+    let r = b.hypot(2.0 * x * z);
+    let (m, n) = ((0.5 * (r + b)).sqrt(), (0.5 * (r - b)).max(0.0).sqrt().copysign(x));
+    let sum = m * m + n * n;
+    let xx = -(m * (1.0 + (z * z + n * n) / sum) - 2.0 * z);
+    let (zz, xz) = (-m * (1.0 - (z * z + n * n) / sum), -n * (m * m - z * z) / sum);
+    let sheared = n * (2.0 - (z * z - m * m) / sum) - 2.0 * x;
+    let (xx, zz, xz) = (xx + mu * sheared, zz + mu * xz, xz + mu * xx);
+    [xx, 0.3 * (xx + zz), zz, 0.0, xz, 0.0]
+}
+
+/// The field of McEwen at the places that are found, its largest equivalent stress, below the surface or on it, and the shear along
+/// the surface by which lines shake down.
 #[test]
 fn largest_stresses_of_a_line_are_within_their_errors() {
     let (a, radius, modulus) = (1e-4, 1e-2, 210e9 / 0.91 / 2.0);
@@ -102,51 +110,29 @@ fn largest_stresses_of_a_line_are_within_their_errors() {
     for (mu, yields, shakes) in [
         (0.0, 0.557516, 4.0),
         (0.2, 0.589993, 3.2024),
-        (0.3, 0.634042, 2.8996),
-        (0.5, f64::NAN, 2.0),
+        (0.3, 0.666633, 2.8996),
+        (0.5, 0.974679, 2.0),
     ] {
         let profile = Cylinder::along_y(radius).unwrap();
         let pressed = Contact::between(bodies(profile), Control::Load(load)).unwrap();
         let contact = pressed.line([3.0 * a, length], 192).solve().unwrap();
         let (maxima, pressed) = maxima(&contact, 0, mu);
-        let found = maxima.inside[0];
-        if yields > 0.0 {
-            assert!(
-                (found.value / peak - yields).abs() < found.error / peak + 1e-3,
-                "mu {mu}: {} {}",
-                found.value / peak,
-                found.error / peak
-            );
+        within(maxima.largest(0), yields, peak);
+        if mu > 0.0 {
+            within(maxima.surface[2].unwrap(), 2.0 * mu, peak);
+        }
+        for (found, (name, measure)) in maxima.inside.iter().zip(MEASURES) {
+            let [x, _, z] = found.place;
+            let known = measure(&mcewen(x / a, -z / a, mu));
+            let off = (found.value / peak - known).abs();
+            assert!(off < found.error / peak + PRESSURES, "{name}, mu {mu}: {found:?} for {known}");
         }
         let shear = pressed.shakes_down(&maxima).unwrap() / peak;
         assert!((shear * shakes - 1.0).abs() < 4e-3, "mu {mu}: {} for {shakes}", 1.0 / shear);
         if mu == 0.0 {
-            let known = FirstYield::under_line(0.3);
+            let (known, found) = (FirstYield::under_line(0.3), maxima.inside[0]);
             assert!((peak / found.value / known.pressure - 1.0).abs() < 2e-3);
             assert!((-found.place[2] / a - known.depth).abs() < 0.02);
-        }
-    }
-}
-
-#[test]
-fn explore() {
-    for per in [8, 10, 12, 16, 20, 24, 32, 48, 64] {
-        let (contact, peak) = ball(per);
-        for mu in [0.0, 0.1, 0.25, 0.5] {
-            let (maxima, _) = maxima(&contact, 0, mu);
-            let edge = 0.4 / 3.0 + mu * PI * 4.3 / 8.0;
-            let of = |m: Option<archard::elastic::Maximum>| {
-                m.map(|m| {
-                    (m.value / peak, m.error / peak, m.order, m.place[0] / 1e-4, m.place[1] / 1e-4)
-                })
-            };
-            let t = of(maxima.surface[2]).unwrap_or_default();
-            println!(
-                "per {per} mu {mu} off {:+.4} {t:.4?} vM {:.4?} | inside {:.4?}",
-                t.0 - edge,
-                of(maxima.surface[0]),
-                of(Some(maxima.inside[0]))
-            );
         }
     }
 }

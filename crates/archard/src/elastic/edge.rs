@@ -8,24 +8,71 @@
 
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
+use rayon::prelude::*;
 
 use crate::compliance::half_space::inside::Below;
-use crate::stress::Components;
+use crate::stress::{Components, tension};
 
 /// Open elements beyond the edge that are looked at.
 const OPEN: usize = 5;
 
-/// The stress at an edge in three ways, the first of them the best.
+/// Edges that are looked at, those of the largest tension: among them are some along which elements do not stand out, where the
+/// limit is surer. A choice of effort.
+const EDGES: usize = 32;
+
+/// The stress at an edge, with all that says how far off it may be.
 pub(super) struct AtEdge {
-    pub stress: [Components; 3],
+    /// In three ways, the first of them the best.
+    stress: [Components; 3],
+    /// In the next rows, the best way: elements stand out from an edge that is aslant, and do so otherwise there.
+    rows: Vec<Components>,
     /// Where the edge is (m).
     pub place: [f64; 2],
     /// The axis across it.
-    pub axis: usize,
+    axis: usize,
+}
+
+impl AtEdge {
+    /// The value of a measure there, and how far off it may be.
+    pub fn measure(&self, of: impl Fn(Components) -> f64) -> [f64; 2] {
+        let [value, farther, further] = self.stress.map(&of);
+        let rows = self.rows.iter().map(|own| (of(*own) - value).abs()).fold(0.0, f64::max);
+        [value, (value - farther).abs() + (value - further).abs() + rows]
+    }
+}
+
+/// The edges of the largest tension, by the stresses in a plane an element deep.
+pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
+    let [nx, ny] = below.elements();
+    let pressed = |element: usize| below.pressure()[element] > 0.0;
+    let rim = |element: &usize| {
+        let [i, j] = [element % nx, element / nx];
+        let next = [
+            (i > 0).then(|| element - 1),
+            (i + 1 < nx).then(|| element + 1),
+            (j > 0).then(|| element - nx),
+            (j + 1 < ny).then(|| element + nx),
+        ];
+        !pressed(*element) && next.into_iter().flatten().any(pressed)
+    };
+    let pull = |element: usize| tension(&plane.each_ref().map(|field| field[element]));
+    let mut rim: Vec<(usize, f64)> =
+        (0..nx * ny).filter(rim).map(|element| (element, pull(element))).collect();
+    rim.sort_by(|a, b| b.1.total_cmp(&a.1));
+    rim.truncate(EDGES);
+    let edge = |element: usize| {
+        let mut edge = at_edge(below, element)?;
+        let step = if edge.axis == 0 { nx } else { 1 };
+        let next = [element.checked_sub(step), Some(element + step)].into_iter().flatten();
+        let next = next.filter(|next| *next < nx * ny && !below.is_line());
+        edge.rows = next.filter_map(|next| Some(at_edge(below, next)?.stress[0])).collect();
+        (below.is_line() || !edge.rows.is_empty()).then_some(edge)
+    };
+    rim.into_par_iter().filter_map(|(element, _)| edge(element)).collect()
 }
 
 /// At the edge next to an element; `None` where pressures do not fall to zero as they do at a smooth edge.
-pub(super) fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
+fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
     let line = Line::outward(below, element)?;
     // Squares of pressures behind the last pressed element, and how far inside of the first of these the edge lies, in elements.
     let [near, next, far] = [1, 2, 3].map(|inward| line.pressure(-inward).powi(2));
@@ -54,7 +101,7 @@ pub(super) fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
     };
     let stress =
         [limit(0, &[0.0, 0.5, 1.0]), limit(1, &[0.0, 0.5, 1.0]), limit(1, &[0.0, 0.5, 1.0, 1.5])];
-    Some(AtEdge { stress, place: line.place(-1.0 - edge), axis: line.axis })
+    Some(AtEdge { stress, rows: vec![], place: line.place(-1.0 - edge), axis: line.axis })
 }
 
 /// Elements in a row, from the last pressed one outward.

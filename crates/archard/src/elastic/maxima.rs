@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::Pressed;
-use super::edge::at_edge;
+use super::edge::{AtEdge, edges};
 use crate::compliance::half_space::inside::Below;
 use crate::stress::{Components, orthogonal_shear, shear, tension, von_mises};
 
@@ -136,9 +136,11 @@ impl Pressed {
             Some(below_surface(levels, (measure, initial), [x, y, -from.depth], depths))
         };
         let [hx, hy] = self.below.spacing();
-        let planes = [0.0, hx.max(hy)].map(|depth| self.below.plane(depth));
-        let surface =
-            |measure: usize| on_surface([&self.below, &coarse], (measure, initial), &planes);
+        let face = self.below.plane(0.0);
+        let edges = edges(&self.below, &self.below.plane(hx.max(hy)));
+        let surface = |measure: usize| {
+            on_surface([&self.below, &coarse], (measure, initial), (&face, &edges))
+        };
         let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
         Some(Maxima { inside, surface: [0, 1, 2, 3].map(surface), layers })
     }
@@ -215,12 +217,11 @@ fn below_surface(
     Maximum { value: best, error, order, place }
 }
 
-/// The maximum on the surface: where all is pressed around, or at the edge where elsewhere the largest value is; `None` where neither
-/// is known. Which edge that is an element deep says better than on the surface, where it is that at which elements stand out.
+/// The maximum on the surface: where all is pressed around, or at an edge; `None` where neither is known.
 fn on_surface(
     [below, coarse]: [&Below; 2],
     (measure, initial): (usize, &Components),
-    [face, deeper]: &[[Vec<f64>; 6]; 2],
+    (face, edges): (&[Vec<f64>; 6], &[AtEdge]),
 ) -> Option<Maximum> {
     let of = |mut stress: Components| {
         stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
@@ -236,11 +237,6 @@ fn on_surface(
     let surrounded = |element: usize| {
         (-AROUND..=AROUND).all(|dx| (-across..=across).all(|dy| pressed(element, dx, dy)))
     };
-    // Open, next to a pressed one.
-    let rim = |element: usize| {
-        let next = [[-1, 0], [1, 0], [0, -1], [0, 1]];
-        !pressed(element, 0, 0) && next.into_iter().any(|[dx, dy]| pressed(element, dx, dy))
-    };
     let largest = |plane: &[Vec<f64>; 6], counts: &(dyn Fn(usize) -> bool + Sync)| {
         let own = (0..below.pressure().len()).into_par_iter().with_min_len(256);
         let own = own.filter(|element| counts(*element));
@@ -253,31 +249,19 @@ fn on_surface(
         let error = (value - coarse).abs() / (ORDERS[1].exp2() - 1.0);
         Maximum { value, error, order: ORDERS[1], place: [x, y, 0.0] }
     });
-    let Some((_, beside)) = largest(face, &|element| !surrounded(element)) else {
-        return middle;
-    };
-    let edge = largest(deeper, &rim).and_then(|(element, _)| {
-        let edge = at_edge(below, element)?;
-        let [value, farther, further] = edge.stress.map(of);
-        // Elements stand out from an edge that is aslant, and do so otherwise in the next rows.
-        let step = if edge.axis == 0 { nx } else { 1 };
-        let next = [element.checked_sub(step), Some(element + step)].into_iter().flatten();
-        let next = next.filter(|next| *next < below.pressure().len() && !below.is_line());
-        let next: Vec<f64> = next
-            .filter_map(|next| Some((of(at_edge(below, next)?.stress[0]) - value).abs()))
-            .collect();
-        if next.is_empty() && !below.is_line() {
-            return None;
-        }
-        let rows = next.into_iter().fold(0.0, f64::max);
-        let error = (value - farther).abs() + (value - further).abs() + rows;
-        let [x, y] = edge.place;
-        Some(Maximum { value, error, order: ORDERS[0], place: [x, y, 0.0] })
+    let beside = largest(face, &|element| !surrounded(element));
+    let beside = beside.map_or(f64::NEG_INFINITY, |(_, value)| value);
+    let edges = edges.iter().map(|edge| {
+        let ([value, error], [x, y]) = (edge.measure(of), edge.place);
+        Maximum { value, error, order: ORDERS[0], place: [x, y, 0.0] }
     });
-    match (middle, edge) {
+    // The largest that is sure.
+    let edge =
+        edges.max_by(|one, other| (one.value - one.error).total_cmp(&(other.value - other.error)));
+    let known = match (middle, edge) {
         (Some(middle), Some(edge)) if middle.value > edge.value => Some(middle),
-        // What is large next to an edge that is not known may be larger still at it.
-        (Some(middle), None) if middle.value > beside => Some(middle),
-        (_, edge) => edge,
-    }
+        (middle, edge) => edge.or(middle),
+    };
+    // What elements have next to an edge that is not known is larger still at it.
+    known.filter(|known| known.value + known.error >= beside)
 }
