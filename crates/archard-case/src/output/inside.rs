@@ -12,7 +12,7 @@ use archard::compliance::Unsolved;
 use archard::compliance::bem::Boundary;
 use archard::compliance::bem::contact::Job;
 use archard::elastic::{self, Deformed, ElasticError, Point, Pressed, Section};
-use archard::frame::VectorField;
+use archard::frame::{ContactFrame, VectorField};
 use archard::problem::ContactProblem;
 use archard::simulation::{Observer, Report};
 
@@ -27,6 +27,8 @@ pub struct Inside {
     stresses: [Option<WantedStresses>; 2],
     store: Option<Store>,
     last: Option<(VectorField, [Vec<f64>; 2])>,
+    /// The frame of the last tractions, which may have grown.
+    frame: Option<ContactFrame>,
 }
 
 /// Why stresses inside are not there.
@@ -54,7 +56,14 @@ fn prefix(body: &str) -> String {
 impl Inside {
     /// Stresses at points of body 1 and body 2 (m, in their own coordinates).
     pub fn at(points: [Vec<Point>; 2]) -> Self {
-        Self { points, sections: [vec![], vec![]], stresses: [None, None], store: None, last: None }
+        Self {
+            points,
+            sections: [vec![], vec![]],
+            stresses: [None, None],
+            store: None,
+            last: None,
+            frame: None,
+        }
     }
 
     /// Stresses on sections of body 1 and body 2 as well.
@@ -106,7 +115,9 @@ impl Inside {
     /// If a point lies outside of its body, equations have no solution, or a file cannot be written.
     pub fn write(&self, dir: &Path, problem: &ContactProblem) -> Result<Stresses, InsideError> {
         let mut stresses = Stresses::default();
-        let Some((tractions, worn)) = &self.last else { return Ok(stresses) };
+        let (Some((tractions, worn)), Some(frame)) = (&self.last, &self.frame) else {
+            return Ok(stresses);
+        };
         let bodies = problem.bodies.each_ref();
         let any = self.points.iter().any(|points| !points.is_empty());
         let mut manifest = Manifest::read(dir)?;
@@ -117,7 +128,7 @@ impl Inside {
             let failed = |cause| InsideError::Body { body: body.clone(), cause };
             let first = [("body", body.clone())];
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
-            if let Some(pressed) = Pressed::in_contact(bodies, which, &problem.frame, tractions) {
+            if let Some(pressed) = Pressed::in_contact(bodies, which, frame, tractions) {
                 let found = pressed.points(points).map_err(failed)?;
                 if let Some(table) = &mut table {
                     write_points(table, &first, (points, &found), |place| Some(-place[2]))?;
@@ -173,6 +184,13 @@ impl Inside {
 impl Observer for Inside {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         if (0..2).any(|which| self.wants(which)) {
+            let now = &report.problem.frame;
+            let same = |known: &ContactFrame| {
+                (known.elements(), known.rectangle()) == (now.elements(), now.rectangle())
+            };
+            if !self.frame.as_ref().is_some_and(same) {
+                self.frame = Some(now.clone());
+            }
             self.last = Some((
                 report.problem.tractions(report.state),
                 [0, 1].map(|body| report.state.worn(body).into_owned()),
