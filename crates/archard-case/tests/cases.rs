@@ -170,7 +170,7 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
     };
     // Cases of the same body share its compliance.
     let settled = resolved.settle(&mut |case| Ok(case.build_keeping(store)?), &mut |_| Ok(()));
-    let (_, simulation) = settled.map_err(|error| error.to_string())?;
+    let (resolved, simulation) = settled.map_err(|error| error.to_string())?;
     let (mut rows, mut last) = (Rows::default(), Last::default());
     simulation.run(&mut [&mut rows, &mut last]).map_err(|error| error.to_string())?;
     let problem = &simulation.problem;

@@ -10,7 +10,7 @@ mod maxima;
 mod section;
 
 pub use half_space::{Pressed, tensor};
-pub use maxima::{Layer, MEASURES, Maxima, Maximum};
+pub use maxima::{Layer, MEASURES, Maxima, Maximum, Measure};
 pub use section::{Sampled, Section, SectionError};
 
 use glam::{DMat3, DVec3};

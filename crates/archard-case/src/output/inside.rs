@@ -137,7 +137,7 @@ impl Inside {
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
                 if let Some(wanted) = &self.stresses[which] {
                     let place = (&mut manifest, which);
-                    stresses.add(body, stress::write(place, &bodies[which], wanted, &pressed)?);
+                    stresses.add(body, stress::write(place, bodies[which], wanted, &pressed)?);
                 }
                 continue;
             }

@@ -21,6 +21,8 @@ const GIVEN: &[&str] = &[
     "surface_1.vtu",
     "surface_2.vtu",
     "sections/*.vtu",
+    "stress_*.csv",
+    "stress_*.vtr",
     // Of a wheel on a rail.
     "contacts.csv",
     "patches/*.vti",

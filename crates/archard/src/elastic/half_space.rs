@@ -72,7 +72,7 @@ impl Pressed {
     /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
     /// frame.
     pub fn at(&self, place: [f64; 3]) -> Option<Response> {
-        let known = place[2] <= 0.0 && -place[2] <= KNOWN * self.from_the_sides(place);
+        let known = place[2] <= 0.0 && -place[2] <= KNOWN * self.distance_to_sides(place);
         known.then(|| Response {
             displacement: self.below.displacement(place),
             stress: tensor(self.below.stress(place)),
@@ -106,7 +106,7 @@ impl Pressed {
     }
 
     /// How far (m) a place is from the sides that pressures are cut at.
-    fn from_the_sides(&self, place: [f64; 3]) -> f64 {
+    fn distance_to_sides(&self, place: [f64; 3]) -> f64 {
         let each = (0..2).map(|axis| {
             let [low, high] = self.sides[axis];
             (place[axis] - low).min(high - place[axis])

@@ -11,8 +11,11 @@ use super::edge::{AtEdge, edges};
 use crate::compliance::half_space::inside::Below;
 use crate::stress::{Components, orthogonal_shear, shear, tension, von_mises};
 
-/// What is looked for: names and measures (Pa).
-pub const MEASURES: [(&str, fn(&Components) -> f64); 4] = [
+/// A measure of a stress (Pa), with its name.
+pub type Measure = (&'static str, fn(&Components) -> f64);
+
+/// What is looked for.
+pub const MEASURES: [Measure; 4] = [
     ("von_mises", von_mises),
     ("shear", shear),
     ("tension", tension),

@@ -262,8 +262,10 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems: Vec<Problem> = memory::problems(parts, forecast.memory).into_iter().collect();
     if parts.case.is_meshed() && sound(&problems) {
         problems.extend(meeting::problems(parts));
-        problems.extend(inside::problems(parts));
         problems.extend(slender::problems(parts));
+    }
+    if sound(&problems) {
+        problems.extend(inside::problems(parts));
     }
     problems.extend(meeting::of_images(parts));
     problems.extend(surfaces::too_long(parts));

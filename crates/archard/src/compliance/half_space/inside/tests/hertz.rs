@@ -92,6 +92,7 @@ fn on_the_surface_friction_has_the_second_order() {
         // A pressure of no weight says what is pressed.
         let below = ball(per, 1.0, 1e-9);
         let plane = below.plane(0.0);
+        let at = |field: usize, element: usize| plane[field][element];
         let mut missed: f64 = 0.0;
         for element in 0..below.pressure().len() {
             let [x, y] = below.place(element);
@@ -102,7 +103,7 @@ fn on_the_surface_friction_has_the_second_order() {
                     -PI * (2.0 - nu) * y / 8.0,
                 ];
                 for (field, known) in [0, 1, 3].into_iter().zip(known) {
-                    missed = missed.max((plane[field][element] - known).abs());
+                    missed = missed.max((at(field, element) - known).abs());
                 }
             }
         }
