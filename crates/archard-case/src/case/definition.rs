@@ -373,6 +373,13 @@ impl Case {
         self.bodies.iter().any(BodyCase::is_meshed)
     }
 
+    /// Whether something inside of its bodies is put out at the end.
+    pub(super) fn seeks_inside(&self) -> bool {
+        self.points.iter().any(|own| !own.is_empty())
+            || self.sections.iter().any(|own| !own.is_empty())
+            || self.stresses.iter().any(Option::is_some)
+    }
+
     /// What puts out the inside of its bodies at the end.
     pub fn inside(&self) -> Inside {
         Inside::at(self.points.clone()).on(self.sections.clone()).largest(self.stresses.clone())

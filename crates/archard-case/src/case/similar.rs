@@ -22,10 +22,7 @@ impl Case {
     /// accuracy have grids of their own, and frames that become wider do so at a place of their own.
     pub fn wears_by_k_s(&self) -> Option<WearByKs> {
         let (motion, schedule) = self.motion.build().ok()?;
-        let nothing_inside = self.points.iter().all(Vec::is_empty)
-            && self.sections.iter().all(Vec::is_empty)
-            && self.stresses.iter().all(Option::is_none);
-        let steady = motion.is_steady() && schedule.is_steady() && nothing_inside;
+        let steady = motion.is_steady() && schedule.is_steady() && !self.seeks_inside();
         let plain = self.accuracy.is_none() && self.until.is_empty() && self.doubles.is_empty();
         if !(steady && plain) {
             return None;

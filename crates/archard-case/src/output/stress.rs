@@ -115,7 +115,7 @@ fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> V
             "over_peak_pressure": own.value / peak,
             "x_m": own.place[0],
             "y_m": own.place[1],
-            "depth_m": -own.place[2],
+            "depth_m": 0.0 - own.place[2],
         })
     };
     let all = |of: [Option<Maximum>; 4]| -> Value {
@@ -138,7 +138,7 @@ fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> V
             "strength_from": from,
             "utilisation": utilisation,
             "utilisation_error": largest.error / strength,
-            "depth_m": -largest.place[2],
+            "depth_m": 0.0 - largest.place[2],
             "first_yield_load_factor": 1.0 / utilisation,
             "shakedown_load_factor": pressed.shakes_down(maxima).map(|shear| strength / 3f64.sqrt() / shear),
             "state": state,

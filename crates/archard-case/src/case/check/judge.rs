@@ -69,7 +69,8 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
     }
     let motion = parts.case.motion.choice.name;
     let slides = parts.slip() > 0.0;
-    if slides && !parts.wears() {
+    let seeks = parts.case.seeks_inside();
+    if slides && !parts.wears() && !seeks {
         let message = "the bodies slide, but neither has a `wear` table: nothing will wear";
         return vec![Problem::warning(Key::of(["motion", motion]), message)];
     }
@@ -89,12 +90,14 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
     let swings = parts.motion.amplitude().is_some();
     // What their own warnings or errors speak of, where it has no effect.
     let warms = parts.bodies.iter().any(|body| body.thermal.is_some());
-    (parts.friction.is_some() && !asked && !swings && !warms && parts.motion.lever_arm().is_some())
-        .then(|| {
-            let name = parts.case.motion.choice.name;
-            let message = format!("has no effect in `motion.{name}`: all of the contact slides");
-            Problem::warning(Key::of(["friction"]), message).at_name()
-        })
+    // Of what slides, friction stresses the inside.
+    let stresses = parts.case.seeks_inside() && parts.slip() > 0.0;
+    let used = asked || swings || warms || stresses;
+    (parts.friction.is_some() && !used && parts.motion.lever_arm().is_some()).then(|| {
+        let name = parts.case.motion.choice.name;
+        let message = format!("has no effect in `motion.{name}`: all of the contact slides");
+        Problem::warning(Key::of(["friction"]), message).at_name()
+    })
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.
