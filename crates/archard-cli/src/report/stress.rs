@@ -28,18 +28,19 @@ pub(super) fn table(results: &Results) -> Table {
     });
     Table {
         caption: "The largest stresses at the end, tension positive, with what the size of elements leaves open".to_owned(),
-        heads: vec!["Stress", "Value", "Error", "Depth"],
+        heads: vec!["Stress", "Value", "Error"],
         rows: rows.collect(),
     }
 }
 
 fn row(one: &Value, body: &str, (what, place): (&str, &str)) -> Option<Vec<String>> {
     let number = |key: &str| one[key].as_f64();
+    let depth = number("depth_m").filter(|depth| *depth > 0.0);
+    let deep = depth.map_or(String::new(), |depth| format!(", {} deep", quantity(depth, "m")));
     Some(vec![
-        format!("{}, {place} of {body}", capital(what)),
+        format!("{}, {place} of {body}{deep}", capital(what)),
         quantity(number("value_Pa")?, "Pa"),
         quantity(number("error_Pa")?, "Pa"),
-        quantity(number("depth_m")?, "m"),
     ])
 }
 
@@ -51,6 +52,5 @@ fn used(block: &Value, body: &str) -> Option<Vec<String>> {
         format!("Of the yield stress of {body} ({state})"),
         format!("{:.3}", number("utilisation")?),
         format!("{:.1e}", number("utilisation_error")?),
-        quantity(number("depth_m")?, "m"),
     ])
 }
