@@ -237,7 +237,7 @@ class Result:
 
     @property
     def stresses(self) -> dict[str, Any]:
-        """The largest stresses of each half-space that were asked for, as in `summary.json`: value, error and place of each."""
+        """The largest stresses of half-spaces, as in `summary.json`: of each its value, error and place."""
         return self.summary.get("stress") or {}
 
     def stress(self, body: str) -> Table:
