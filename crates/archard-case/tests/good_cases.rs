@@ -152,6 +152,33 @@ fn the_forecast_has_the_closed_forms() {
     assert_eq!(forecast.solves, Solves::Exactly(101));
 }
 
+/// A ball of bearing steel of 746 HV yields from 1.6128 times its yield stress on, .4809 of the contact's radius deep (Johnson, *Contact
+/// Mechanics*, section 4.1); of the disc no hardness is known. A line of contact is in plane strain: 1.7937, and .7043.
+#[test]
+fn first_yield_of_what_has_a_hardness_is_foreseen() {
+    let strength = 746.0 * 9.806_65e6 / 2.8;
+    let of = |options: &[&str], factor: f64, deep: f64| {
+        let file = file(PIN_ON_DISC).set("body.pin.material=\"100Cr6\"");
+        let file = options.iter().fold(file, |file, option| file.set(*option));
+        let forecast = resolve(&file).forecast;
+        let [found] = &forecast.yieldings[..] else { panic!("{:?}", forecast.yieldings) };
+        assert_eq!(found.body, "pin");
+        assert_relative_eq!(found.peak_pressure, factor * strength, max_relative = 1e-4);
+        let radius = forecast.estimate.contact.unwrap().semi_axes[0];
+        assert_relative_eq!(found.depth, deep * radius, max_relative = 1e-3);
+    };
+    of(&[], 1.61280, 0.48086);
+    let line = [
+        "frame.size=",
+        "frame.elements=",
+        "frame.element=2 um",
+        "frame.plane_strain=true",
+        "body.pin.profile={cylinder={radius=\"50 mm\",axis=\"y\"}}",
+        "motion.sliding.load=100 N/mm",
+    ];
+    of(&line, 1.79367, 0.70429);
+}
+
 #[test]
 fn the_body_written_first_is_body_one() {
     let (pin, rest) = PIN_ON_DISC.split_at(PIN_ON_DISC.find("[body.disc]").unwrap());

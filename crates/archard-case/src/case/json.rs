@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::accuracy::Refined;
-use super::check::Solves;
+use super::check::{Solves, Yielding};
 use super::elastic::ElasticForecast;
 use super::file::CaseFile;
 use super::problem::{Location, Problem};
@@ -92,7 +92,12 @@ fn contact(resolved: &Resolved) -> Value {
         forecast.unknowns.iter().map(|(body, count)| (body.clone(), json!(count))).collect();
     let surfaces: Map<String, Value> =
         forecast.files.iter().map(|(body, list)| (body.clone(), listed(list))).collect();
+    let first_yield = |one: &Yielding| {
+        (one.body.clone(), json!({ "peak_pressure_Pa": one.peak_pressure, "depth_m": one.depth }))
+    };
+    let first_yield: Map<String, Value> = forecast.yieldings.iter().map(first_yield).collect();
     json!({
+        "first_yield": first_yield,
         "closed_form": estimate_json(&forecast.estimate),
         "elements_across": forecast.cells_across,
         "contact_solves": solves_json(forecast.solves),

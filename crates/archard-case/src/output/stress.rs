@@ -6,10 +6,7 @@ use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use archard::body::Body;
 use archard::elastic::{MEASURES, Maxima, Maximum, Pressed};
-use archard::stress::Components;
-
-/// Indentation hardness over yield stress (D. Tabor, *The Hardness of Metals*, 1951).
-const TABOR: f64 = 2.8;
+use archard::stress::{Components, TABOR};
 
 /// The names of components, in their order.
 pub const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "zx", "yz"];

@@ -12,6 +12,9 @@ pub use ball::smallest_ball;
 /// Components of a symmetric stress (Pa), positive in tension, in the order xx, yy, zz, xy, xz, yz.
 pub type Components = [f64; 6];
 
+/// Indentation hardness over yield stress (D. Tabor, *The Hardness of Metals*, 1951).
+pub const TABOR: f64 = 2.8;
+
 /// The equivalent stress of von Mises (Pa).
 pub fn von_mises(&[xx, yy, zz, xy, xz, yz]: &Components) -> f64 {
     let apart = [xx - yy, yy - zz, zz - xx].iter().map(|value| value * value).sum::<f64>();

@@ -9,6 +9,7 @@ use super::finite::Finiteness;
 use super::footprint::memory;
 use super::surfaces::Surfaces;
 use super::words::{length, three};
+use super::yielding::Yielding;
 use super::{Parts, foreseen, size};
 use crate::case::definition::BodyCase;
 use crate::verdict::Verdict;
@@ -28,6 +29,8 @@ pub struct Forecast {
     pub cells_across: Option<[f64; 2]>,
     /// Wear coefficients by pressure and by work, of bodies for which one follows from the other.
     pub equivalents: Vec<Equivalent>,
+    /// Where bodies of a known hardness yield first, without friction.
+    pub yieldings: Vec<Yielding>,
     /// Cycles; `None` where the bodies are not pressed and shifted step by step.
     pub cycles: Option<Cycles>,
     /// How the surfaces of bodies that fret meet, where closed forms tell the width of the contact.
@@ -81,6 +84,7 @@ impl Forecast {
                 [cells(0).min(nx as f64), cells(1).min(ny as f64)]
             }),
             equivalents: Equivalent::of(parts),
+            yieldings: Yielding::of(parts),
             cycles: Cycles::of(parts),
             surfaces: Surfaces::of(parts),
             solves: Solves::of(parts),
@@ -207,6 +211,7 @@ impl fmt::Display for Solves {
 impl fmt::Display for Forecast {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_contact(f, &self.estimate, self.cells_across)?;
+        self.yieldings.iter().try_for_each(|yielding| yielding.fmt(f))?;
         write_wear(f, &self.estimate)?;
         self.equivalents.iter().try_for_each(|equivalent| equivalent.fmt(f))?;
         if let Some(cycles) = self.cycles.filter(|cycles| cycles.total > 1) {

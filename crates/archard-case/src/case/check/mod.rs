@@ -28,6 +28,7 @@ mod texture;
 mod track;
 mod warmed;
 mod words;
+mod yielding;
 
 pub use crate::files::free_memory;
 pub use coarse::BesideHalfSpace;
@@ -37,6 +38,7 @@ pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
 pub use surfaces::Surfaces;
 pub(super) use surfaces::settle;
+pub use yielding::Yielding;
 
 use super::chosen::Chosen;
 use super::definition::{BodyCase, BuildError, Case};
