@@ -256,6 +256,10 @@ impl FiniteCase {
 
     /// A coarse mesh of the whole body for an image field of loads on a rectangle of that centre and size (m) of its face, where it is known.
     fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<Meshed, BuildError> {
+        if self.mesh.values.get("path").is_some() && self.mirrored != [false; 2] {
+            let message = "an image field is that of the whole body: mesh all of it, and leave `symmetry` out";
+            return Err(Invalid::new("path", message).into());
+        }
         let coarse = self.mesh.build()?.coarse(rectangle, [false; 2], &self.held());
         coarse.ok_or_else(|| Invalid::new("size", NO_IMAGE).into())
     }

@@ -29,6 +29,7 @@ const FLAT: &str = "it touches with a flat face, away from its edges";
 fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'static str> {
     let Ok(coarse) = with.meshed() else {
         return Some(match finite.mesh.values.get("path") {
+            Some(_) if finite.mirrored != [false; 2] => "its file holds a part of the body",
             Some(_) => {
                 "its file has no tetrahedra alone, or no flat face along z that nothing holds"
             }

@@ -52,9 +52,9 @@ impl Reader<'_> {
         let frame = match (root.get("frame"), &bodies) {
             (None, Some(bodies)) if meshed || image(bodies) && !self.framed => zone(bodies),
             (None, None) if meshed => None,
-            (Some((key, _)), _) if meshed => {
+            (Some((key, _)), Some(bodies)) if meshed => {
                 let message = "the pairs are the nodes of the mesh: leave the frame out";
-                let mut why = bodies.iter().flatten().filter_map(|body| body.finite.as_ref()?.why);
+                let mut why = bodies.iter().filter_map(|body| body.finite.as_ref()?.why);
                 let problem = Problem::error(key, message).at_name();
                 self.push(match why.next() {
                     Some(why) => problem.help(format!("no image field: {why}")),
