@@ -62,7 +62,7 @@ pub struct WheelRailCase {
     pub friction: Chosen<Box<dyn Friction>>,
     /// How the wheelset stands and runs.
     pub motion: Chosen<Running>,
-    /// Limits of the wheel in service, by [`LIMITS`].
+    /// Limits of the wheel in service, by `LIMITS`.
     pub until: Values,
     /// Elements along x, and as many across, over the overlap of each patch, where they are given.
     pub elements: Option<usize>,

@@ -1,8 +1,8 @@
 //! Stresses and displacements inside a half-space, under tractions that are even on each element of a uniform frame.
 //!
-//! Sums of [rectangles](corner), or of [strips](strip) under a line of contact, are exact for such tractions: at a point
-//! ([`Below::at`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
-//! vary by within an element is [added](slope).
+//! Sums of rectangles (`corner.rs`), or of strips (`strip.rs`) under a line of contact, are exact for such tractions: at a point
+//! ([`Below::stress`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
+//! vary by within an element is added (`slope.rs`).
 
 mod corner;
 mod plane;
