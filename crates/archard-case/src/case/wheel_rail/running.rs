@@ -192,7 +192,8 @@ impl State {
     ) -> Result<OperatingPoint, Invalid> {
         let radius = wheelset.nominal_radius;
         let transfer = self.transferred(2.0 * wheelset.arm());
-        if transfer.abs() >= self.load {
+        // A wheel that bears nothing is refused as such.
+        if self.load > 0.0 && transfer.abs() >= self.load {
             let message = format!(
                 "a transfer of {transfer:.4e} N lifts a wheel that bears {:.4e} N: look at speed, curvature, superelevation and \
                  the height of the centre of mass",
