@@ -29,6 +29,7 @@ mod columns;
 mod definition;
 mod elastic;
 mod file;
+mod finite;
 mod json;
 mod key;
 mod left_out;

@@ -6,8 +6,9 @@ use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use super::chosen::Chosen;
-use super::definition::{BodyCase, Case, FiniteCase, FrameCase, LayerCase, Output};
+use super::definition::{BodyCase, Case, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
+use super::finite::FiniteCase;
 use super::quantity::measure;
 use crate::output::{COMPONENTS, Limit, WantedStresses};
 use archard::body::{Elasticity, Interpolation, Support};

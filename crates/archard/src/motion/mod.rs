@@ -8,27 +8,32 @@ mod drives;
 mod fretting;
 mod indentation;
 mod path;
+mod progress;
 mod rolling;
 mod rotation;
+mod schedule;
 mod shift;
 mod similar;
 mod sliding;
 mod table;
 
-use serde::{Deserialize, Serialize};
-
 pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
 pub use path::Path;
+pub use progress::Progress;
 pub use rolling::Rolling;
 pub use rotation::Rotation;
+pub use schedule::{Control, Planned, Schedule, Stepping};
 pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
 pub use table::{Row, Table};
 
 use crate::frame::{Direction, Rectangle};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+use crate::parameters::Choice;
+use schedule::{
+    APPROACH, INCREMENTS, LOAD, MOST_INCREMENTS, TOLERANCE, control, counted, few_steps, pressing,
+};
 
 /// How the bodies move on each other: answers that do not depend on each other.
 ///
@@ -305,117 +310,6 @@ impl Motion {
     }
 }
 
-/// How the progress of a motion is called and shown.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Progress {
-    /// What it is, for people: "distance".
-    pub name: &'static str,
-    /// The result column, unit included: "distance_m".
-    pub column: &'static str,
-    /// What it measures.
-    pub quantity: Quantity,
-}
-
-impl Progress {
-    /// Distance slid (m).
-    pub const DISTANCE: Self =
-        Self { name: "distance", column: "distance_m", quantity: Quantity::Length };
-    /// Revolutions of body 1.
-    pub const REVOLUTIONS: Self =
-        Self { name: "revolution", column: "revolutions", quantity: Quantity::Number };
-    /// Cycles gone through.
-    pub const CYCLES: Self = Self { name: "cycle", column: "cycle", quantity: Quantity::Number };
-    /// Time (s).
-    pub const TIME: Self = Self { name: "time", column: "time_s", quantity: Quantity::Time };
-    /// Share of what is raised: a load, an approach, creepages.
-    pub const SHARE: Self = Self { name: "share", column: "share", quantity: Quantity::Number };
-    /// What the progress of some motion is.
-    pub const ALL: [Self; 5] =
-        [Self::DISTANCE, Self::REVOLUTIONS, Self::CYCLES, Self::TIME, Self::SHARE];
-
-    /// A value of it (SI) in words: "distance 0.05 m".
-    pub fn at(&self, value: f64) -> String {
-        format!("{} {}", self.name, self.length(value))
-    }
-
-    /// A difference of two values (SI) in words: "0.05 m".
-    pub fn length(&self, value: f64) -> String {
-        // Seven digits: a sum of steps is not shown with what rounding made of it.
-        let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
-        match self.quantity {
-            Quantity::Length => format!("{rounded:?} m"),
-            Quantity::Time => format!("{rounded:?} s"),
-            _ => format!("{rounded:?}"),
-        }
-    }
-}
-
-/// What holds the bodies together.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum Control {
-    /// The normal force (N); the approach follows.
-    Load(f64),
-    /// The approach of the bodies from first touch (m); the load follows.
-    Approach(f64),
-}
-
-impl Control {
-    /// The control scaled by that factor.
-    pub fn scaled(self, factor: f64) -> Self {
-        match self {
-            Control::Load(load) => Control::Load(factor * load),
-            Control::Approach(approach) => Control::Approach(factor * approach),
-        }
-    }
-}
-
-/// How the advance of a motion is divided into steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stepping {
-    /// Implicit steps of that length (the motion's unit).
-    Implicit(f64),
-    /// Explicit steps of that length (the motion's unit); stable only below a bound.
-    Explicit(f64),
-    /// Implicit steps chosen so that the relative error of the depth stays below this; of a motion in
-    /// cycles, jumps over cycles chosen likewise.
-    Tolerance(f64),
-    /// One cycle computed out of that many, the wear of the others taken from it.
-    Jumps(usize),
-    /// Implicit steps, each to the next of the schedule's outputs; not of motions in cycles.
-    ToOutputs,
-}
-
-/// Load, extent and steps of a motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Schedule {
-    /// What holds the bodies together, at the end of the motion.
-    pub control: Control,
-    /// Whether the control grows in proportion to the progress instead of being constant.
-    pub ramped: bool,
-    /// How far the motion goes (its own unit).
-    pub extent: f64,
-    /// How it is divided into steps.
-    pub stepping: Stepping,
-    /// Progress at which fields are put out, rising, the end of the motion among them. Steps chosen
-    /// by error end on them; fixed steps put out when they first reach or pass one.
-    pub outputs: Vec<f64>,
-}
-
-impl Schedule {
-    /// Under one load or approach throughout, without outputs on the way.
-    pub fn steady(control: Control, extent: f64, stepping: Stepping) -> Self {
-        Self { control, ramped: false, extent, stepping, outputs: vec![] }
-    }
-
-    /// The load or approach at some progress (the motion's unit).
-    pub fn control_at(&self, progress: f64) -> Control {
-        if self.ramped { self.control.scaled(progress / self.extent) } else { self.control }
-    }
-}
-
-/// A motion and what it is put through, as a case states them.
-pub type Planned = (Motion, Schedule);
-
 /// The motions a case can name.
 pub const MOTIONS: &[Choice<Planned>] = &[
     indentation::CHOICE,
@@ -427,63 +321,3 @@ pub const MOTIONS: &[Choice<Planned>] = &[
     rolling::CHOICE,
     creepage_sweep::CHOICE,
 ];
-
-/// The load, as most motions take it.
-const LOAD: Parameter = Parameter::optional("load", Quantity::Force, "normal force");
-/// The approach, as most motions take it.
-const APPROACH: Parameter =
-    Parameter::optional("approach", Quantity::Length, "approach of the bodies from first touch");
-/// The tolerance, as most motions take it.
-const TOLERANCE: Parameter =
-    Parameter::optional("tolerance", Quantity::Number, "relative error allowed in the wear depth")
-        .bound(Bound::Between(0.0, 1.0));
-
-/// Increments of a cycle, each of which is kept, and of a sweep.
-const MOST_INCREMENTS: f64 = 1e5;
-/// The bound of `increments`.
-const INCREMENTS: Bound = Bound::UpTo(0.0, MOST_INCREMENTS);
-
-/// That number of increments.
-fn counted(parameter: Parameter, increments: usize) -> Result<usize, Invalid> {
-    parameter.admit(increments as f64).map(|_| increments)
-}
-/// Steps of a fixed length, which no run ever gets through beyond this.
-const MOST_STEPS: f64 = 1e9;
-
-/// The stepping, if a step divides the motion into no more steps than can be taken.
-fn few_steps(stepping: Stepping, step: Parameter, extent: f64) -> Result<Stepping, Invalid> {
-    let length = match stepping {
-        Stepping::Implicit(length) | Stepping::Explicit(length) => step.admit(length)?,
-        Stepping::Tolerance(tolerance) => {
-            TOLERANCE.admit(tolerance)?;
-            return Ok(stepping);
-        }
-        Stepping::Jumps(_) => {
-            return Err(Invalid::new(step.name, "only motions in cycles jump over some"));
-        }
-        Stepping::ToOutputs => return Ok(stepping),
-    };
-    if extent / length > MOST_STEPS {
-        let message =
-            format!("asks for {:.1e} steps, {MOST_STEPS:e} at most can be taken", extent / length);
-        return Err(Invalid::new(step.name, message));
-    }
-    Ok(stepping)
-}
-
-/// The control out of `load` and `approach`.
-fn control(values: &Values) -> Result<Control, Invalid> {
-    match values.one_of("load", "approach")? {
-        (Some(load), _) => Ok(Control::Load(load)),
-        (None, approach) => Ok(Control::Approach(approach.unwrap_or_default())),
-    }
-}
-
-/// The control, if its value is one to press bodies together by.
-fn pressing(control: Control) -> Result<Control, Invalid> {
-    match control {
-        Control::Load(load) => LOAD.admit(load)?,
-        Control::Approach(approach) => APPROACH.admit(approach)?,
-    };
-    Ok(control)
-}

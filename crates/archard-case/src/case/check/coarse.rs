@@ -7,7 +7,8 @@ use std::fmt::{self, Display, Formatter};
 
 use super::Parts;
 use crate::case::chosen::Chosen;
-use crate::case::definition::{BodyCase, BuildError, Case, FiniteCase, FrameCase};
+use crate::case::definition::{BodyCase, BuildError, Case, FrameCase};
+use crate::case::finite::FiniteCase;
 use archard::body::mesh::Shape;
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Elasticity, Interpolation};

@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::case::check::memory;
-use crate::case::definition::{BodyCase, FiniteCase, FrameCase};
+use crate::case::definition::{BodyCase, FrameCase};
+use crate::case::finite::FiniteCase;
 use crate::case::key::Key;
 use crate::case::nearest::nearest;
 use crate::case::problem::Problem;

@@ -8,7 +8,8 @@ use archard::body::Elasticity;
 use archard::compliance::bem::{Size, image};
 use archard::frame::Rectangle;
 
-use crate::case::definition::{BodyCase, FiniteCase, FrameCase, NO_IMAGE};
+use crate::case::definition::{BodyCase, FrameCase};
+use crate::case::finite::{FiniteCase, NO_IMAGE};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};

@@ -1,6 +1,7 @@
 //! When a case puts out fields.
 
-use crate::case::definition::{BodyCase, FiniteCase, Output};
+use crate::case::definition::{BodyCase, Output};
+use crate::case::finite::FiniteCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::quantity::measure;

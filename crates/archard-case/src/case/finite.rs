@@ -1,0 +1,117 @@
+//! The mesh of a body, how it is held, and what it deforms as.
+
+use super::chosen::Chosen;
+use super::definition::{BuildError, FrameCase};
+use archard::body::mesh::{Listed, Meshed, Shape, Supported};
+use archard::body::{Elasticity, Finite, Interpolation, Support};
+use archard::parameters::Invalid;
+
+/// The mesh of a body and how it is held.
+#[non_exhaustive]
+#[derive(Debug, Clone, PartialEq)]
+pub struct FiniteCase {
+    /// The mesh.
+    pub mesh: Chosen<Box<dyn Shape>>,
+    /// What is known on surfaces, by name.
+    pub supports: Vec<(String, Support)>,
+    /// Whether x = 0 and y = 0 are planes of symmetry.
+    pub mirrored: [bool; 2],
+    /// How tractions and displacements vary over the elements.
+    pub interpolation: Interpolation,
+    /// Relative error allowed in the integrals over elements.
+    pub tolerance: f64,
+    /// What tells how the body deforms.
+    pub elasticity: Elasticity,
+    /// Why, where the case does not say so.
+    pub(crate) why: Option<&'static str>,
+}
+
+/// Why a body has no image field.
+pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names";
+
+impl FiniteCase {
+    /// The mesh; with an image field a coarse one that knows of no contact.
+    ///
+    /// # Errors
+    /// If it cannot be made; that of a checked case can.
+    pub fn meshed(&self) -> Result<Meshed, BuildError> {
+        if self.elasticity == Elasticity::Image {
+            return self.coarse(self.zone().map(|(size, _)| [[0.0; 2], size]));
+        }
+        Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
+    }
+
+    /// The surfaces that supports hold; none where a half-space stands for the body.
+    pub(super) fn held(&self) -> Supported {
+        let bends = self.elasticity != Elasticity::HalfSpace;
+        let supports = self.supports.iter().filter(|_| bends);
+        supports.map(|(name, support)| (name.clone(), support.holds())).collect()
+    }
+
+    /// Whether the body touches with a surface of that name, where an image field says how it deforms.
+    pub(super) fn touches_with(&self, surface: &str) -> bool {
+        match self.mesh.values.word("contact") {
+            Some(named) => named == surface,
+            None => self.mesh.choice.name == "box" && surface == "top",
+        }
+    }
+
+    /// The size (m) of the zone that may touch and its pairs along x and y, where the mesh says so: two for each element, as its nodes
+    /// would be.
+    pub(super) fn zone(&self) -> Option<([f64; 2], [usize; 2])> {
+        let contact = self.mesh.values.section("contact")?;
+        Some((contact.pair("size")?, contact.pair("elements")?.map(|count| 2 * count as usize)))
+    }
+
+    /// A coarse mesh of the whole body for an image field of loads on a rectangle of that centre and size (m) of its face, where it is known.
+    fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<Meshed, BuildError> {
+        if self.mesh.values.get("path").is_some() && self.mirrored != [false; 2] {
+            let message = "an image field is that of the whole body: mesh all of it, and leave `symmetry` out";
+            return Err(Invalid::new("path", message).into());
+        }
+        let coarse = self.mesh.build()?.coarse(rectangle, [false; 2], &self.held());
+        coarse.ok_or_else(|| Invalid::new("size", NO_IMAGE).into())
+    }
+
+    /// The surfaces of a file, in its own places; `None` of a generated mesh, which has none.
+    pub(super) fn listed(&self) -> Option<Vec<Listed>> {
+        self.mesh.values.get("path")?;
+        let Meshed { mesh, zone, .. } =
+            self.mesh.build().ok()?.mesh(self.mirrored, &self.held()).ok()?;
+        Some(mesh.listed(&zone))
+    }
+
+    /// The longest element of its mesh along a free span beside the thickness there; `None` where nothing bends.
+    ///
+    /// # Errors
+    /// As [`FiniteCase::meshed`].
+    pub(super) fn slenderness(&self, meshed: &Meshed) -> Result<Option<f64>, BuildError> {
+        Ok(self.mesh.build()?.slenderness(meshed, self.mirrored, &self.held()))
+    }
+
+    /// Builds the body's surface; supports of surfaces that are not there are left out.
+    ///
+    /// # Errors
+    /// As [`FiniteCase::meshed`].
+    pub fn build(&self, frame: &FrameCase) -> Result<Finite, BuildError> {
+        let shape = self.mesh.build()?;
+        // Image fields are those of whole bodies.
+        let (meshed, mirrored) = match self.elasticity {
+            Elasticity::Image => (self.coarse(Some([frame.centre, frame.size]))?, [false; 2]),
+            _ => (shape.mesh(self.mirrored, &self.held())?, self.mirrored),
+        };
+        let curvatures = match (self.elasticity, meshed.placed) {
+            (Elasticity::Image, _) => Some([0.0; 2]),
+            (_, true) => meshed.curvatures(self.mirrored),
+            (_, false) => shape.curvatures(),
+        };
+        let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
+        let supports = self
+            .supports
+            .iter()
+            .filter_map(|(name, support)| Some((surface(name)?, *support)))
+            .collect();
+        let Self { interpolation, tolerance, elasticity, .. } = *self;
+        Ok(Finite { meshed, curvatures, supports, mirrored, interpolation, tolerance, elasticity })
+    }
+}
