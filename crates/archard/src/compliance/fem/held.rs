@@ -6,9 +6,9 @@ use glam::DVec3;
 
 use crate::body::mesh::{Corners, Mesh, Volume};
 use crate::body::{Finite, Support};
-use crate::numerics::SAME;
+use crate::numerics::{SAME, WRITTEN};
 
-/// Three directions at right angles, the first of which are held.
+/// Three directions at right angles: first those that are held, then those that are free.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Held {
     pub basis: [DVec3; 3],
@@ -19,22 +19,21 @@ pub(super) struct Held {
 impl Held {
     pub const FREE: Self = Self { basis: DVec3::AXES, count: 0 };
 
-    /// Of directions that are held, whatever their number.
-    fn of(directions: &[DVec3]) -> Self {
+    /// Of directions that are held, each with the angle (rad) by which it may be off.
+    fn of(directions: &[(DVec3, f64)]) -> Self {
         let mut basis = vec![];
-        let add = |basis: &mut Vec<DVec3>, direction: DVec3| {
+        let add = |basis: &mut Vec<DVec3>, (direction, off): (DVec3, f64)| {
             let across = |basis: &[DVec3], one: DVec3| {
                 basis.iter().fold(one, |rest, known| rest - rest.dot(*known) * *known)
             };
             let rest = across(basis, across(basis, direction));
-            // What is left of a direction that is held already is rounding.
-            if basis.len() < 3 && rest.length() > SAME.sqrt() * direction.length() {
+            if basis.len() < 3 && rest.length() > off.max(SAME) * direction.length() {
                 basis.push(rest.normalize());
             }
         };
         directions.iter().for_each(|direction| add(&mut basis, *direction));
         let count = basis.len();
-        DVec3::AXES.into_iter().for_each(|axis| add(&mut basis, axis));
+        DVec3::AXES.into_iter().for_each(|axis| add(&mut basis, (axis, 0.0)));
         Self { basis: [basis[0], basis[1], basis[2]], count }
     }
 
@@ -63,14 +62,16 @@ pub(super) fn held(finite: &Finite, volume: &Volume) -> [Vec<Held>; 2] {
             *normals.entry((*node, surface)).or_default() += normal(mesh, face);
         }
     }
-    let mut directions: BTreeMap<usize, Vec<DVec3>> = BTreeMap::new();
+    let extent = mesh.extent();
+    let along = |surface: usize, normal: DVec3| along(support(surface), normal, extent);
+    let mut directions: BTreeMap<usize, Vec<(DVec3, f64)>> = BTreeMap::new();
     for ((node, surface), normal) in normals {
-        directions.entry(node).or_default().extend(along(support(surface), normal));
+        directions.entry(node).or_default().extend(along(surface, normal));
     }
     let mut nodes = vec![Held::FREE; volume.nodes.len()];
     directions.iter().for_each(|(node, directions)| nodes[*node] = Held::of(directions));
     let faces = (0..volume.faces.len())
-        .map(|face| Held::of(&along(support(mesh.faces[face].surface), normal(mesh, face))));
+        .map(|face| Held::of(&along(mesh.faces[face].surface, normal(mesh, face))));
     [nodes, faces.collect()]
 }
 
@@ -85,15 +86,16 @@ fn normal(mesh: &Mesh, face: usize) -> DVec3 {
     }
 }
 
-/// The directions that a support holds on a surface of that normal.
-fn along(support: Option<Support>, normal: DVec3) -> Vec<DVec3> {
+/// The directions that a support holds on a surface of that normal, as long as an area (m^2) doubled, of a body of that extent (m); each
+/// with the angle (rad) by which it may be off, as places are written with seven digits.
+fn along(support: Option<Support>, normal: DVec3, extent: f64) -> Vec<(DVec3, f64)> {
     match support {
         None => vec![],
-        Some(Support::Roller) => vec![normal],
+        Some(Support::Roller) => vec![(normal, WRITTEN * extent / normal.length().sqrt())],
         Some(support) => {
             let holds = support.holds();
             let axes = DVec3::AXES.into_iter().zip(holds);
-            axes.filter_map(|(axis, holds)| holds.then_some(axis)).collect()
+            axes.filter_map(|(axis, holds)| holds.then_some((axis, 0.0))).collect()
         }
     }
 }

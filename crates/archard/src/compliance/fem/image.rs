@@ -26,11 +26,28 @@ impl Solid {
     pub fn image(&self, polynomials: &Polynomials) -> ImageField {
         let columns = Columns::new(polynomials, [false; 2]);
         let near = NearField::new(&self.material, polynomials, &columns);
-        let loads = columns.count();
+        let mut surplus = Surplus::new(&self.volume, columns.count());
+        let (compliance, displacements) = self.found(&near, Some(&mut surplus));
+        let change = surplus.energy(self, &displacements, &near);
+        ImageField { compliance, change }
+    }
+
+    /// K (m/N) of the image field alone.
+    pub fn compliance(&self, polynomials: &Polynomials) -> Mat<f64> {
+        let columns = Columns::new(polynomials, [false; 2]);
+        self.found(&NearField::new(&self.material, polynomials, &columns), None).0
+    }
+
+    /// K (m/N), and the displacements (m) of all nodes, one vector a load; the tractions that act are laid on cubic functions too.
+    fn found(
+        &self,
+        near: &NearField<'_>,
+        surplus: Option<&mut Surplus>,
+    ) -> (Mat<f64>, Vec<Vec<f64>>) {
+        let loads = near.loads();
         let count = 3 * self.volume.nodes.len();
         let mut forces = vec![vec![0.0; count]; loads];
-        let mut surplus = Surplus::new(&self.volume, loads);
-        let work = self.undo(&near, &mut forces, &mut surplus);
+        let work = self.undo(near, &mut forces, surplus);
         let mut displacements = vec![vec![0.0; count]; loads];
         let held: Vec<usize> =
             (0..self.nodes.len()).filter(|node| self.nodes[*node].count > 0).collect();
@@ -67,8 +84,7 @@ impl Solid {
         let found: Vec<f64> = pairs.par_iter().map(|pair| of(*pair)).collect();
         let compliance =
             Mat::from_fn(loads, loads, |q, p| 0.5 * (found[q * loads + p] + found[p * loads + q]));
-        let change = surplus.energy(self, &displacements, &near);
-        ImageField { compliance, change }
+        (compliance, displacements)
     }
 
     /// Forces (N) that take the tractions of the half-space from what is free of the surface, one vector a load; and Betti's integrals of
@@ -77,7 +93,7 @@ impl Solid {
         &self,
         near: &NearField<'_>,
         forces: &mut [Vec<f64>],
-        surplus: &mut Surplus,
+        mut surplus: Option<&mut Surplus>,
     ) -> Mat<f64> {
         let (loads, rule) = (forces.len(), points());
         let mut work: Mat<f64> = Mat::zeros(loads, loads);
@@ -118,7 +134,9 @@ impl Solid {
                             freed[(row, load)] = back[axis];
                         }
                     }
-                    surplus.load(face, of_point, &free);
+                    if let Some(surplus) = &mut surplus {
+                        surplus.load(face, of_point, &free);
+                    }
                 }
             }
             work += displaced.transpose() * &held + freed.transpose() * &displaced;

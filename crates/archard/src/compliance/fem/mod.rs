@@ -39,16 +39,8 @@ pub struct Solid {
     stiffness: Stiffness,
     /// The number of each free direction of each node among the unknowns.
     numbers: Vec<[usize; 3]>,
-    factors: Factors,
-}
-
-/// Factors of the equations; none where everything is held.
-struct Factors(Option<Llt<usize, f64>>);
-
-impl std::fmt::Debug for Factors {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("Factors")
-    }
+    /// `None` where everything is held.
+    factors: Option<Llt<usize, f64>>,
 }
 
 impl Solid {
@@ -68,14 +60,14 @@ impl Solid {
             let size = matrix.ncols();
             matrix.sp_cholesky(Side::Lower).map_err(|_| Unsolved::Singular { size })
         };
-        let factors = Factors(matrix.map(factorised).transpose()?);
+        let factors = matrix.map(factorised).transpose()?;
         let (volume, material) = (Arc::clone(volume), *material);
         Ok(Self { volume, material, nodes, faces, stiffness, numbers, factors })
     }
 
     /// Displacements (m) under forces (N), where what is held is displaced already: three values a node, one vector a load.
     fn solve(&self, displacements: &mut [Vec<f64>], forces: &[Vec<f64>]) {
-        let Some(factors) = &self.factors.0 else { return };
+        let Some(factors) = &self.factors else { return };
         let unknowns = self.numbers.iter().flatten().filter(|number| **number < usize::MAX).count();
         let mut sought = Mat::zeros(unknowns, forces.len());
         let free = || {

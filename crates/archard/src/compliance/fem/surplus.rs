@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::Solid;
 use super::held::Held;
 use super::stiffness::{force, lame};
-use super::together::beside_each;
+use super::together::relative_to_each;
 use super::triangle::Point;
 use crate::body::mesh::Volume;
 use crate::body::mesh::tetrahedron::{EDGES, cubic_slopes, points, slopes, turn};
@@ -174,7 +174,7 @@ impl Surplus {
             .even()
             .map(|load| self.residual.iter().skip(load).step_by(self.loads).copied().collect())
             .collect();
-        let together = beside_each(solid, &cubic, &even).into_iter().fold(1.0, f64::max);
+        let together = relative_to_each(solid, &cubic, &even).into_iter().fold(1.0, f64::max);
         let there: Vec<&Vec<DVec3>> = rows.iter().filter(|row| !row.is_empty()).collect();
         let rows: Mat<f64> =
             Mat::from_fn(3 * there.len(), self.loads, |row, load| there[row / 3][load][row % 3]);

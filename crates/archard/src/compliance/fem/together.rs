@@ -1,4 +1,4 @@
-//! What cubic functions add all together, beside what each adds by itself.
+//! What cubic functions add all together, relative to what each adds by itself.
 //!
 //! Quadratic and cubic functions are solved for at once, by conjugate gradients behind the factors of the quadratic ones and each cubic
 //! function by itself: their equations are about as well conditioned on any mesh (R. E. Bank, SIAM J. Numer. Anal. 33 (1996), 921).
@@ -26,7 +26,11 @@ fn dot(one: &Values, other: &Values) -> f64 {
 
 /// The energies (N m or its square per unit load) that cubic functions add under what is left over on them, load by load, together
 /// relative to each by itself; of a load with nothing left over, one.
-pub(super) fn beside_each(solid: &Solid, cubic: &Cubic<'_>, residuals: &[Vec<DVec3>]) -> Vec<f64> {
+pub(super) fn relative_to_each(
+    solid: &Solid,
+    cubic: &Cubic<'_>,
+    residuals: &[Vec<DVec3>],
+) -> Vec<f64> {
     let nodes = solid.volume.nodes.len();
     let mut residual: Vec<Values> = residuals
         .iter()

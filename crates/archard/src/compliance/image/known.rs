@@ -61,12 +61,6 @@ enum Engine {
     Volume(Arc<Volume>, OnceLock<Solid>),
 }
 
-/// A field, and what half the elements or cubic functions change in it (m/N).
-struct Found {
-    compliance: Mat<f64>,
-    change: Mat<f64>,
-}
-
 impl Known {
     /// The bodies that have them, moved under the contact by offsets (m), on a rectangle.
     pub fn new(bodies: [&Body; 2], offsets: [Rectangle; 2], first: Rectangle) -> Self {
@@ -146,9 +140,12 @@ impl Known {
         let mut moved = vec![];
         for one in &self.bodies {
             let found = one.found(&polynomials)?;
-            let middle = one.coarse(&polynomials, Some(&found))?;
+            let middle = match one.engine {
+                Engine::Surface(_) => &found.compliance - &found.change,
+                Engine::Volume(..) => found.compliance.clone(),
+            };
             let there =
-                |end| Ok(Arc::new(one.coarse(&Polynomials::new(end, degree), None)? - &middle));
+                |end| Ok(Arc::new(one.as_coarse(&Polynomials::new(end, degree))? - &middle));
             moved.push(one.ends(&rectangle).map(there).collect::<Result<_, ContactError>>()?);
             change += found.change;
             sum += found.compliance;
@@ -164,38 +161,29 @@ impl Known {
 }
 
 impl One {
-    /// K on the axes of the frame, and by how much it may be off.
-    fn found(&self, polynomials: &Polynomials) -> Result<Found, ContactError> {
-        let (compliance, change) = match &self.engine {
+    /// K on the axes of the frame, and what half the elements or cubic functions change in it.
+    fn found(&self, polynomials: &Polynomials) -> Result<ImageField, ContactError> {
+        let ImageField { compliance, change } = match &self.engine {
             Engine::Surface(fine) => {
-                let fine = self.by_surface(fine, polynomials)?;
-                let change = &fine - self.by_surface(&self.finite.meshed.mesh, polynomials)?;
-                (fine, change)
+                let compliance = self.by_surface(fine, polynomials)?;
+                let change =
+                    &compliance - self.by_surface(&self.finite.meshed.mesh, polynomials)?;
+                ImageField { compliance, change }
             }
-            Engine::Volume(volume, solid) => {
-                let ImageField { compliance, change } =
-                    self.solid(volume, solid)?.image(polynomials);
-                (compliance, change)
-            }
+            Engine::Volume(volume, solid) => self.solid(volume, solid)?.image(polynomials),
         };
-        Ok(Found { compliance: self.on_the_frame(compliance), change: self.on_the_frame(change) })
+        Ok(ImageField {
+            compliance: self.on_the_frame(compliance),
+            change: self.on_the_frame(change),
+        })
     }
 
-    /// K on the axes of the frame, as well as elements that are not halved find it; what is found already is not found again.
-    fn coarse(
-        &self,
-        polynomials: &Polynomials,
-        found: Option<&Found>,
-    ) -> Result<Mat<f64>, ContactError> {
-        match (&self.engine, found) {
-            (Engine::Surface(_), Some(found)) => Ok(&found.compliance - &found.change),
-            (Engine::Volume(..), Some(found)) => Ok(found.compliance.clone()),
-            (Engine::Surface(_), None) => {
-                let own = self.by_surface(&self.finite.meshed.mesh, polynomials)?;
-                Ok(self.on_the_frame(own))
-            }
-            (Engine::Volume(..), None) => Ok(self.found(polynomials)?.compliance),
-        }
+    /// K on the axes of the frame, of elements that are not halved.
+    fn as_coarse(&self, polynomials: &Polynomials) -> Result<Mat<f64>, ContactError> {
+        Ok(self.on_the_frame(match &self.engine {
+            Engine::Surface(_) => self.by_surface(&self.finite.meshed.mesh, polynomials)?,
+            Engine::Volume(volume, solid) => self.solid(volume, solid)?.compliance(polynomials),
+        }))
     }
 
     fn by_surface(&self, mesh: &Mesh, polynomials: &Polynomials) -> Result<Mat<f64>, ContactError> {

@@ -3,7 +3,7 @@
 //! Nodes, tetrahedra of four and ten nodes and sets are read, and what names triangles of the surface: surfaces by the sides of
 //! elements, shells and membranes by their sets, and sets of nodes. Everything else is passed over.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::error::{Fault, MeshFileError, Place};
 use super::solid::{self, Solid};
@@ -14,9 +14,11 @@ const SIDES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
 const TETRAHEDRA: [&str; 2] = ["C3D4", "C3D10"];
 /// Elements of other volumes.
 const VOLUME: &str = "C3D";
-/// Triangles: of shells, membranes and plane bodies.
-const TRIANGLES: [&str; 10] =
-    ["S3", "S6", "STRI3", "STRI65", "M3D3", "M3D6", "SFM3D3", "SFM3D6", "CPS", "CPE"];
+/// Elements of shells, membranes and plane bodies, behind which stand their nodes: those with three or six are triangles.
+const SURFACES: [&str; 6] = ["S", "STRI", "M3D", "SFM3D", "CPS", "CPE"];
+/// What makes or moves nodes and elements, none of which is done here.
+const MADE: [&str; 9] =
+    ["INCLUDE", "SYSTEM", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "IMPORT"];
 
 /// Whether bytes are such a file: keywords begin with a star.
 pub(super) fn is_inp(bytes: &[u8]) -> bool {
@@ -32,9 +34,9 @@ struct Contents {
     /// Tetrahedra by their number, and in their order.
     tetrahedra: HashMap<u64, Vec<u64>>,
     order: Vec<u64>,
-    /// Triangles by their number.
-    triangles: HashMap<u64, [u64; 3]>,
-    /// Sets of elements and of nodes by their names in capitals, in their order, with what they hold.
+    /// Triangles with their number, in their order.
+    triangles: Vec<(u64, [u64; 3])>,
+    /// Sets of elements and of nodes.
     elements: Sets,
     sets: Sets,
     /// The sets that elements are written in.
@@ -46,19 +48,43 @@ struct Contents {
 
 /// Sets in the order in which they are named.
 #[derive(Default)]
-struct Sets(Vec<(String, Vec<u64>)>);
+struct Sets(Vec<(String, Set)>);
+
+/// Numbers, one by one and from a first to a last by steps, which may be more than any file holds.
+#[derive(Default, Clone)]
+struct Set {
+    numbers: HashSet<u64>,
+    ranges: Vec<[u64; 3]>,
+}
+
+impl Set {
+    fn of(number: u64) -> Self {
+        Self { numbers: [number].into(), ranges: vec![] }
+    }
+
+    fn holds(&self, number: u64) -> bool {
+        let within = |&[first, last, step]: &[u64; 3]| {
+            (first..=last).contains(&number) && (number - first).is_multiple_of(step)
+        };
+        self.numbers.contains(&number) || self.ranges.iter().any(within)
+    }
+
+    fn extend(&mut self, other: &Self) {
+        self.numbers.extend(&other.numbers);
+        self.ranges.extend(&other.ranges);
+    }
+}
 
 impl Sets {
-    fn add(&mut self, name: &str, numbers: impl IntoIterator<Item = u64>) {
+    fn add(&mut self, name: &str, set: &Set) {
         match self.0.iter_mut().find(|(known, _)| known.eq_ignore_ascii_case(name)) {
-            Some((_, known)) => known.extend(numbers),
-            None => self.0.push((name.to_owned(), numbers.into_iter().collect())),
+            Some((_, known)) => known.extend(set),
+            None => self.0.push((name.to_owned(), set.clone())),
         }
     }
 
-    fn named(&self, name: &str) -> Option<&[u64]> {
-        let found = self.0.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
-        found.map(|(_, numbers)| &numbers[..])
+    fn named(&self, name: &str) -> Option<&Set> {
+        self.0.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, set)| set)
     }
 }
 
@@ -79,6 +105,15 @@ impl Keyword {
         Self { name, parameters: parts.map(parameter).collect() }
     }
 
+    /// Whether nodes and elements are what and where the file says.
+    fn plain(&self, line: &str) -> Result<(), Wrong> {
+        let turned = self.get("SYSTEM").is_some_and(|system| !system.eq_ignore_ascii_case("R"));
+        match MADE.contains(&&*self.name) || self.name == "NODE" && turned {
+            true => Err(("all nodes and elements, each in its place", line.to_owned())),
+            false => Ok(()),
+        }
+    }
+
     fn get(&self, name: &str) -> Option<&str> {
         self.parameters.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
     }
@@ -91,27 +126,28 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Solid, MeshFileError> {
     let mut keyword = Keyword::read("*");
     // Data lines of an element go on where one ends with a comma, or before all of its nodes are there.
     let mut open: Vec<u64> = vec![];
-    let mut last = 0;
+    let (mut last, mut goes_on) = (0, false);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim();
         last = index + 1;
         if line.is_empty() || line.starts_with("**") {
             continue;
         }
-        if line.starts_with('*') {
-            keyword = Keyword::read(line);
-            open.clear();
-            if keyword.name == "INCLUDE" {
-                let found = line.chars().take(40).collect();
-                let expected = "all nodes and elements in one file";
-                return Err(at(last, Fault::Unexpected { expected, found }));
-            }
-            continue;
-        }
-        contents.data(&keyword, line, &mut open).map_err(|(expected, found)| {
+        let wrong = |(expected, found): Wrong| {
             let found = found.chars().take(40).collect();
             at(last, Fault::Unexpected { expected, found })
-        })?;
+        };
+        if line.starts_with('*') || goes_on {
+            match goes_on {
+                true => keyword.parameters.extend(Keyword::read(&format!(",{line}")).parameters),
+                false => keyword = Keyword::read(line),
+            }
+            goes_on = line.ends_with(',');
+            open.clear();
+            keyword.plain(line).map_err(wrong)?;
+        } else {
+            contents.data(&keyword, line, &mut open).map_err(wrong)?;
+        }
     }
     if contents.tetrahedra.is_empty() || contents.others {
         return Err(at(last.max(1), Fault::NoTetrahedra));
@@ -154,14 +190,15 @@ impl Contents {
                     *value = read;
                 }
                 if self.nodes.insert(own, place).is_some() {
-                    return Err(("a node once", format!("node {own} again")));
+                    return Err(("one body, each node once", format!("node {own} again")));
                 }
                 if let Some(set) = keyword.get("NSET") {
-                    self.sets.add(set, [own]);
+                    self.sets.add(set, &Set::of(own));
                 }
             }
             "ELEMENT" => self.element(keyword, words(), open)?,
             "ELSET" | "NSET" => self.set(keyword, words().collect())?,
+            "INSTANCE" => return Err(("a part that is not moved", line.to_owned())),
             "SURFACE" => {
                 let mut words = words();
                 let what = words.next().unwrap_or_default().to_owned();
@@ -194,8 +231,11 @@ impl Contents {
         } else if kind.starts_with(VOLUME) {
             self.others = true;
             return Ok(());
-        } else if TRIANGLES.iter().any(|one| kind.starts_with(one)) {
-            if kind.ends_with('6') || kind.starts_with("STRI65") { 6 } else { 3 }
+        } else if let Some(count @ (3 | 6)) = SURFACES.iter().find_map(|one| {
+            let digit = kind.strip_prefix(one)?.chars().next()?.to_digit(10)?;
+            Some(digit as usize)
+        }) {
+            count
         } else {
             return Ok(());
         };
@@ -219,16 +259,16 @@ impl Contents {
                 return Err(("an element once", format!("element {own} again")));
             }
         } else {
-            self.triangles.insert(own, [nodes[0], nodes[1], nodes[2]]);
+            self.triangles.push((own, [nodes[0], nodes[1], nodes[2]]));
         }
         if let Some(set) = keyword.get("ELSET") {
-            self.written.add(set, [own]);
+            self.written.add(set, &Set::of(own));
         }
         Ok(())
     }
 
     /// The elements of a set.
-    fn elements(&self, name: &str) -> Option<&[u64]> {
+    fn elements(&self, name: &str) -> Option<&Set> {
         self.elements.named(name).or_else(|| self.written.named(name))
     }
 
@@ -236,26 +276,25 @@ impl Contents {
         let nodes = keyword.name == "NSET";
         let Some(name) = keyword.get(&keyword.name) else { return Ok(()) };
         let expected = "a number or the name of a set";
-        let mut numbers = vec![];
+        let mut set = Set::default();
         if keyword.get("GENERATE").is_some() {
             let range: Vec<u64> =
                 words.iter().map(|word| number(word, expected)).collect::<Result<_, _>>()?;
             if let [first, last, rest @ ..] = &range[..] {
-                let step = rest.first().copied().unwrap_or(1).max(1);
-                numbers.extend((*first..=*last).step_by(step as usize));
+                set.ranges.push([*first, *last, rest.first().copied().unwrap_or(1).max(1)]);
             }
         } else {
             for word in words {
                 let known = if nodes { self.sets.named(word) } else { self.elements(word) };
                 match (word.parse(), known) {
-                    (Ok(one), _) => numbers.push(one),
-                    (_, Some(known)) => numbers.extend(known),
+                    (Ok(one), _) => set.extend(&Set::of(one)),
+                    (_, Some(known)) => set.extend(known),
                     _ => return Err((expected, word.to_owned())),
                 }
             }
         }
         let sets = if nodes { &mut self.sets } else { &mut self.elements };
-        sets.add(name, numbers);
+        sets.add(name, &set);
         Ok(())
     }
 
@@ -264,49 +303,47 @@ impl Contents {
     fn names(&self, tetrahedra: &[Vec<u64>]) -> Vec<([u64; 3], String)> {
         let mut named = vec![];
         for (name, what, side) in &self.surfaces {
-            let own = [what.parse().unwrap_or(0)];
-            let elements = self.elements(what).unwrap_or(&own);
             match side.and_then(|side| SIDES.get(usize::wrapping_sub(side, 1))) {
                 Some(side) => {
-                    let meant = elements.iter().filter_map(|number| self.tetrahedra.get(number));
-                    named.extend(
-                        meant.map(|nodes| (side.map(|corner| nodes[corner]), name.clone())),
-                    );
+                    let own = what.parse().map(Set::of).unwrap_or_default();
+                    let meant = self.elements(what).unwrap_or(&own);
+                    let meant = self.order.iter().filter(|number| meant.holds(**number));
+                    named.extend(meant.map(|number| {
+                        (side.map(|corner| self.tetrahedra[number][corner]), name.clone())
+                    }));
                 }
-                None => self.of_nodes(
-                    self.sets.named(what).unwrap_or(&[]),
-                    tetrahedra,
-                    name,
-                    &mut named,
-                ),
+                None => {
+                    let none = Set::default();
+                    let set = self.sets.named(what).unwrap_or(&none);
+                    named.extend(within(set, tetrahedra, name));
+                }
             }
         }
-        for (name, numbers) in self.elements.0.iter().chain(&self.written.0) {
-            let own = numbers.iter().filter_map(|number| self.triangles.get(number));
-            named.extend(own.map(|corners| (*corners, name.clone())));
+        for (name, set) in self.elements.0.iter().chain(&self.written.0) {
+            let own = self.triangles.iter().filter(|(number, _)| set.holds(*number));
+            named.extend(own.map(|(_, corners)| (*corners, name.clone())));
         }
-        // A set within another one says more.
-        let mut sets: Vec<_> = self.sets.0.iter().collect();
-        sets.sort_by_key(|(_, numbers)| numbers.len());
-        for (name, numbers) in sets.into_iter().filter(|(_, set)| set.len() < self.nodes.len()) {
-            self.of_nodes(numbers, tetrahedra, name, &mut named);
+        // A set within another one says more, and one of all nodes nothing.
+        let count = |set: &Set| self.nodes.keys().filter(|node| set.holds(**node)).count();
+        let mut sets: Vec<_> =
+            self.sets.0.iter().map(|(name, set)| (count(set), name, set)).collect();
+        sets.sort_by_key(|(count, ..)| *count);
+        for (_, name, set) in sets.iter().filter(|(count, ..)| *count < self.nodes.len()) {
+            named.extend(within(set, tetrahedra, name));
         }
         named
     }
+}
 
-    /// The sides of tetrahedra whose corners all lie in a set of nodes.
-    fn of_nodes(
-        &self,
-        numbers: &[u64],
-        tetrahedra: &[Vec<u64>],
-        name: &str,
-        named: &mut Vec<([u64; 3], String)>,
-    ) {
-        let within: std::collections::HashSet<u64> = numbers.iter().copied().collect();
-        for nodes in tetrahedra {
-            let sides = SIDES.iter().map(|side| side.map(|corner| nodes[corner]));
-            let all = sides.filter(|side| side.iter().all(|node| within.contains(node)));
-            named.extend(all.map(|side| (side, name.to_owned())));
-        }
-    }
+/// The sides of tetrahedra whose corners all lie in a set of nodes, by its name.
+fn within(
+    set: &Set,
+    tetrahedra: &[Vec<u64>],
+    name: &str,
+) -> impl Iterator<Item = ([u64; 3], String)> {
+    let sides = tetrahedra
+        .iter()
+        .flat_map(|nodes| SIDES.iter().map(|side| side.map(|corner| nodes[corner])));
+    let all = sides.filter(|side| side.iter().all(|node| set.holds(*node)));
+    all.map(|side| (side, name.to_owned()))
 }

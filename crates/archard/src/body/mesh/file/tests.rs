@@ -96,6 +96,22 @@ fn inputs_of_calculix_name_sides_by_surfaces_sets_and_nodes() {
         &format!("{nodes}{elements}*NSET, NSET=x\nnobody\n"),
         "line 14: expected a number or the name",
     );
+    // What makes or moves nodes is not done, and what stands for a shell of quadrilaterals names nothing.
+    refused(
+        &format!("{nodes}*NGEN\n1, 5\n{elements}"),
+        "all nodes and elements, each in its place",
+    );
+    refused(&nodes.replace("NSET=all", "SYSTEM=C"), "line 3: expected all nodes and elements");
+    refused(
+        &format!("{nodes}{elements}*INSTANCE, NAME=a\n1., 0., 0.\n"),
+        "a part that is not moved",
+    );
+    refused(&format!("{nodes}{elements}{nodes}"), "each node once, found `node 1 again`");
+    let shells = "*ELEMENT, TYPE=S4,\nELSET=quads\n9, 1, 2, 3, 4\n";
+    assert!(parse(format!("{nodes}{elements}{shells}").as_bytes()).is_ok());
+    // A range beyond all numbers takes no memory.
+    let range = "*NSET, NSET=x, GENERATE\n1, 18446744073709551615, 1\n";
+    assert!(parse(format!("{nodes}{elements}{range}").as_bytes()).is_ok());
     refused("*NODE\n1, 0, x, 0\n", "line 2: expected a coordinate, found `x`");
 }
 

@@ -43,12 +43,17 @@ impl<'a> NearField<'a> {
     /// The even loads among those that are kept, one along each axis.
     pub fn even(&self) -> impl Iterator<Item = usize> + '_ {
         let even = |column: &usize| column.is_multiple_of(self.columns.polynomials);
-        (0..self.columns.count()).filter(move |load| even(&self.columns.kept[*load]))
+        (0..self.loads()).filter(move |load| even(&self.columns.kept[*load]))
+    }
+
+    /// How many loads there are.
+    pub fn loads(&self) -> usize {
+        self.columns.count()
     }
 
     /// No field.
     pub fn nothing(&self) -> Field {
-        let loads = self.columns.count();
+        let loads = self.loads();
         Field { displacement: vec![DVec3::ZERO; loads], traction: vec![DVec3::ZERO; loads] }
     }
 }

@@ -29,7 +29,7 @@ struct Contents {
     group_of: HashMap<u64, u64>,
     /// The surface elements.
     faces: Vec<Element>,
-    /// The numbers of the nodes of tetrahedra, of which the ten have those on edges in the order of a volume.
+    /// The numbers of the nodes of tetrahedra: four corners, and of tetrahedra of ten the nodes on edges in the order of a volume.
     tetrahedra: Vec<Vec<u64>>,
     /// Whether there are volume elements of other kinds.
     others: bool,
