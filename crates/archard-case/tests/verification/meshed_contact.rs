@@ -159,8 +159,9 @@ load = "100 N"
 increments = 1
 "#;
 
-/// Quadratic tetrahedra of CalculiX 2.20, of .07 mm below the load and 2 mm elsewhere, displace a square of 1 mm under 1 N by .64852 um,
-/// of which .0041011 um are a half-space's; they are still softer on finer meshes, by half a percent. A half-space approaches by 2.19 um.
+/// Quadratic tetrahedra of CalculiX 2.20, of .07 mm below the load and 2 mm elsewhere (`bracket.py` where the mesh is), displace a square
+/// of 1 mm under 1 N by .64852 um; a half-space is displaced by .0041011 um. On finer meshes they are softer, by half a percent. A
+/// half-space approaches by 2.19 um.
 #[test]
 fn a_bracket_bends_as_finite_elements_do() {
     let simulation = case(BRACKET, &[]);
