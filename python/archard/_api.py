@@ -16,12 +16,14 @@ from archard._errors import (
 )
 from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
+from archard._snapshot import Snapshot
 from archard._surface import Surface, surface
 from archard._sweep import Row, Sweep, sweep
+from archard._table import Table
 from archard._tribometer import read_log
 from archard._validate import Compared, Validated, validate
 from archard.case import Case, Forecast, cases
-from archard.result import Profile, Result, Snapshot, Table, Verdict
+from archard.result import Profile, Result, Verdict
 from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
 from archard.run import Run, State
 

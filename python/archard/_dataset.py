@@ -15,7 +15,8 @@ from archard._errors import ArchardWarning
 from archard._units import bare, unit
 
 if TYPE_CHECKING:
-    from archard.result import Result, Snapshot
+    from archard._snapshot import Snapshot
+    from archard.result import Result
 
 Array = NDArray[np.float64]
 

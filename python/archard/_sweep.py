@@ -17,9 +17,10 @@ from archard import _archard, _html, _law, _study, _toml
 from archard._errors import RunError
 from archard._law import FrictionFunction, Law, WearFunction
 from archard._log import log
+from archard._table import Table
 from archard._units import bare, shown
 from archard.case import Case
-from archard.result import Result, Table
+from archard.result import Result
 from archard.result import open as open_result
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import os
 import tempfile
@@ -12,49 +10,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree import ElementTree
 
 import numpy as np
-from numpy.typing import NDArray
 
-from archard import _archard, _compare, _damage, _dataset, _html, _picture, _toml
+from archard import _archard, _compare, _damage, _dataset, _html, _picture, _table, _toml
 from archard._errors import ResultWarning
+from archard._snapshot import Outputs, Snapshot, snapshot
 from archard._surface import PREFIX
-from archard._units import shown, unit
-
-Array = NDArray[np.float64]
-
-
-class Table(dict[str, Array]):
-    """Columns by name, in SI; text columns are left as text."""
-
-    @property
-    def units(self) -> dict[str, str]:
-        """The unit of each column; empty for pure numbers."""
-        return {name: unit(name) for name in self}
-
-    def to_pandas(self) -> Any:
-        """Return a pandas ``DataFrame``, with the units in its ``attrs``."""
-        import pandas
-
-        frame = pandas.DataFrame(dict(self))
-        frame.attrs["units"] = self.units
-        return frame
-
-    def __repr__(self) -> str:
-        rows = next((len(column) for column in self.values()), 0)
-        return f"{type(self).__name__}({rows} rows: {', '.join(self)})"
-
-    def _repr_html_(self) -> str:
-        def end(name: str, place: int) -> str:
-            column = self[name]
-            if not len(column):
-                return ""
-            return shown(name, float(column[place])) if column.dtype.kind == "f" else str(column[place])
-
-        rows = [[name, end(name, 0), end(name, -1)] for name in self]
-        count = next((len(column) for column in self.values()), 0)
-        return _html.block(_html.title(f"{count} rows"), _html.table(["Column", "First", "Last"], rows))
+from archard._table import Array, Table
 
 
 class Verdict(NamedTuple):
@@ -89,59 +52,6 @@ class Profile(NamedTuple):
     """Height of the worn surface, without elastic deformation (m)."""
     worn: Array
     """Depth worn off (m)."""
-
-
-class Snapshot:
-    """Fields of one state: ``[ny, nx]`` arrays over ``x`` and ``y`` (m) on a grid, else one value a pair.
-
-    Fields are attributes without their unit (``pressure``, ``gap``, ``traction_x``, ``slip_x``, ``stick``) and
-    items with it (``"pressure_Pa"``); of bodies, ``worn["pin"]`` and ``height["pin"]``.
-    """
-
-    progress: float
-    """How far the motion has gone, in its own unit."""
-
-    def __init__(self, progress: float, places: dict[str, Array], fields: dict[str, Array]) -> None:
-        self.progress = progress
-        self.x, self.y = places["x"], places["y"]
-        self.z = places.get("z")
-        self._fields = fields
-
-    @property
-    def names(self) -> list[str]:
-        """The names of all fields, each with its unit."""
-        return list(self._fields)
-
-    @property
-    def worn(self) -> dict[str, Array]:
-        """Depth worn off each body (m)."""
-        return self._of_bodies("wear_")
-
-    @property
-    def height(self) -> dict[str, Array]:
-        """Height of each worn body, without elastic deformation (m)."""
-        return self._of_bodies("height_")
-
-    def __getitem__(self, name: str) -> Array:
-        return self._fields[name]
-
-    def __getattr__(self, name: str) -> Array:
-        if not name.startswith("_"):
-            for field, values in self._fields.items():
-                if field.removesuffix("_Pa").removesuffix("_m") == name:
-                    return values
-        raise AttributeError(f"no field `{name}`; there are {', '.join(self.__dict__.get('_fields', {}))}")
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}(progress={self.progress:g}, {', '.join(self._fields)})"
-
-    def _of_bodies(self, kind: str) -> dict[str, Array]:
-        found = self._fields.items()
-        return {
-            name[len(kind) : -len("_m")]: values
-            for name, values in found
-            if name.startswith(kind) and name != f"{kind}m"
-        }
 
 
 class Result:
@@ -248,13 +158,13 @@ class Result:
     def fields(self) -> Sequence[Snapshot]:
         """The fields of all outputs; each is read when it is asked for."""
         with _damage.naming(self.folder, "fields.pvd"):
-            return _Outputs(self._files, self.folder)
+            return Outputs(self._files, self.folder)
 
     @property
     def surfaces(self) -> dict[str, Snapshot]:
         """Displacements, tractions and stresses on surfaces of meshed bodies, where they were asked for."""
         names = [name for name in self._files if name.startswith("surface")]
-        read = (_snapshot(float("nan"), name, self._files, self.folder) for name in names)
+        read = (snapshot(float("nan"), name, self._files, self.folder) for name in names)
         return {name.removesuffix(".vtu"): surface for name, surface in zip(names, read, strict=True)}
 
     def profile(self, body: str, axis: str = "x", output: int = -1) -> Profile:
@@ -424,7 +334,7 @@ class Result:
         if content is None:
             return Table()
         with _damage.naming(self.folder, name):
-            return _read_table(content)
+            return _table.read(content)
 
 
 def open(folder: str | os.PathLike[str]) -> Result:
@@ -495,40 +405,3 @@ class _Folder(Mapping[str, bytes]):
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
-
-
-class _Outputs(Sequence[Snapshot]):
-    """The outputs of a run, read one by one."""
-
-    def __init__(self, files: Mapping[str, bytes], folder: Path | None) -> None:
-        self._files, self._folder = files, folder
-        collection = files.get("fields.pvd")
-        listed = [] if collection is None else ElementTree.fromstring(collection).iter("DataSet")
-        self._outputs = [(float(one.attrib["timestep"]), one.attrib["file"]) for one in listed]
-
-    def __len__(self) -> int:
-        return len(self._outputs)
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return [self[place] for place in range(*index.indices(len(self)))]
-        progress, name = self._outputs[index]
-        return _snapshot(progress, name, self._files, self._folder)
-
-
-def _snapshot(progress: float, name: str, files: Mapping[str, bytes], folder: Path | None) -> Snapshot:
-    with _damage.naming(folder, name):
-        return Snapshot(progress, *_archard.read_fields(name, files[name]))
-
-
-def _read_table(content: bytes) -> Table:
-    rows = csv.reader(io.StringIO(content.decode(), newline=""))
-    header = next(rows, [])
-    columns = zip(*rows, strict=True)
-    table = Table({name: np.empty(0) for name in header})
-    for name, column in zip(header, columns, strict=False):
-        try:
-            table[name] = np.array([float(cell) if cell else np.nan for cell in column])
-        except ValueError:
-            table[name] = np.array(column)
-    return table

@@ -16,8 +16,9 @@ from typing import Any
 from archard import _archard, _law
 from archard._errors import ArchardWarning, ResultWarning, RunError, WrongResult
 from archard._log import log
+from archard._snapshot import Snapshot
 from archard.case import Case
-from archard.result import Result, Snapshot, read
+from archard.result import Result, read
 
 
 class State(Snapshot):
