@@ -152,22 +152,27 @@ fn the_forecast_has_the_closed_forms() {
     assert_eq!(forecast.solves, Solves::Exactly(101));
 }
 
-/// A ball of bearing steel of 746 HV yields from 1.6128 times its yield stress on, .4809 of the contact's radius deep (Johnson, *Contact
-/// Mechanics*, section 4.1); of the disc no hardness is known. A line of contact is in plane strain: 1.7937, and .7043.
+/// A ball of bearing steel of 746 HV yields from 1.6128 times its yield stress on, .4809 of the radius deep that the contact has then
+/// (Johnson, *Contact Mechanics*, section 4.1); of the disc no hardness is known. A line of contact is in plane strain: 1.7937, and
+/// .7043. A hardness that is given counts before that of the material.
 #[test]
 fn first_yield_of_what_has_a_hardness_is_foreseen() {
-    let strength = 746.0 * 9.806_65e6 / 2.8;
-    let of = |options: &[&str], factor: f64, deep: f64| {
+    let of = |options: &[&str], hardness: f64, factor: f64, deep: f64| {
+        let strength = hardness / 2.8;
         let file = file(PIN_ON_DISC).set("body.pin.material=\"100Cr6\"");
         let file = options.iter().fold(file, |file, option| file.set(*option));
         let forecast = resolve(&file).forecast;
         let [found] = &forecast.yieldings[..] else { panic!("{:?}", forecast.yieldings) };
         assert_eq!(found.body, "pin");
         assert_relative_eq!(found.peak_pressure, factor * strength, max_relative = 1e-4);
-        let radius = forecast.estimate.contact.unwrap().semi_axes[0];
+        let contact = forecast.estimate.contact.unwrap();
+        let radius = contact.semi_axes[0] * found.peak_pressure / contact.peak_pressure;
         assert_relative_eq!(found.depth, deep * radius, max_relative = 1e-3);
+        assert!(found.to_string().contains("without friction"), "{found}");
     };
-    of(&[], 1.61280, 0.48086);
+    let hard = 746.0 * 9.806_65e6;
+    of(&[], hard, 1.61280, 0.48086);
+    of(&["body.pin.wear.archard.hardness=\"3 GPa\""], 3e9, 1.61280, 0.48086);
     let line = [
         "frame.size=",
         "frame.elements=",
@@ -176,7 +181,7 @@ fn first_yield_of_what_has_a_hardness_is_foreseen() {
         "body.pin.profile={cylinder={radius=\"50 mm\",axis=\"y\"}}",
         "motion.sliding.load=100 N/mm",
     ];
-    of(&line, 1.79367, 0.70429);
+    of(&line, hard, 1.79367, 0.70429);
 }
 
 #[test]

@@ -10,7 +10,7 @@ mod maxima;
 mod section;
 
 pub use half_space::{Pressed, tensor};
-pub use maxima::{Layer, MEASURES, Maxima, Maximum, Measure};
+pub use maxima::{Layer, Maxima, Maximum};
 pub use section::{Sampled, Section, SectionError};
 
 use glam::{DMat3, DVec3};
@@ -111,6 +111,16 @@ pub enum ElasticError {
     Cut {
         /// The point.
         point: Point,
+    },
+    /// The stresses at a depth depend on pressures beyond the frame.
+    #[error(
+        "{depth} m below the surface they depend on pressures that go on beyond the frame: take a larger frame, or depths up to {known} m, a quarter of the way to its nearest side"
+    )]
+    Deep {
+        /// The depth (m).
+        depth: f64,
+        /// How deep (m) stresses are known.
+        known: f64,
     },
     /// A section has no places.
     #[error("the section `{name}` {cause}")]

@@ -136,6 +136,7 @@ impl Inside {
                 let sections: Vec<_> = sections.iter().map(|one| pressed.section(one)).collect();
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
                 if let Some(wanted) = &self.stresses[which] {
+                    pressed.check(&wanted.depths).map_err(failed)?;
                     let place = (&mut manifest, which);
                     stresses.add(body, stress::write(place, bodies[which], wanted, &pressed)?);
                 }

@@ -5,8 +5,8 @@ use serde_json::{Map, Value, json};
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use archard::body::Body;
-use archard::elastic::{MEASURES, Maxima, Maximum, Pressed};
-use archard::stress::{Components, TABOR};
+use archard::elastic::{Maxima, Maximum, Pressed};
+use archard::stress::{Components, MEASURES, TABOR};
 
 /// The names of components, in their order.
 pub const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "zx", "yz"];
@@ -62,11 +62,8 @@ pub(super) fn write(
     wanted: &WantedStresses,
     pressed: &Pressed,
 ) -> Result<Value, Error> {
-    let known = pressed.known_depth();
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
-    let depths: Vec<f64> = depths.into_iter().filter(|depth| *depth <= known).collect();
-    let hardness = body.indentation_hardness.or(body.hardness);
-    let strength = wanted.strength.or(hardness.map(|hardness| hardness / TABOR));
+    let strength = wanted.strength.or(body.known_hardness().map(|hardness| hardness / TABOR));
     let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
     let mut see = |depth: f64, plane: &[Vec<f64>; 6]| {
         planes.iter_mut().for_each(|planes| planes.add(depth, plane));
@@ -78,8 +75,7 @@ pub(super) fn write(
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
-    let from = if wanted.strength.is_some() { "yield_strength" } else { "hardness / 2.8" };
-    Ok(block(pressed, &maxima, strength.map(|strength| (strength, from))))
+    Ok(block(pressed, &maxima, (wanted, strength)))
 }
 
 /// A row a depth.
@@ -102,7 +98,11 @@ fn write_table(manifest: &mut Manifest, body: &str, maxima: &Maxima) -> Result<(
     table.sync()
 }
 
-fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> Value {
+fn block(
+    pressed: &Pressed,
+    maxima: &Maxima,
+    (wanted, strength): (&WantedStresses, Option<f64>),
+) -> Value {
     let peak = pressed.below.pressure().iter().copied().fold(0.0, f64::max);
     let one = |own: &Maximum| {
         json!({
@@ -122,22 +122,26 @@ fn block(pressed: &Pressed, maxima: &Maxima, strength: Option<(f64, &str)>) -> V
                 .collect(),
         )
     };
-    let yields = strength.map(|(strength, from)| {
+    let yields = strength.map(|strength| {
         let largest = maxima.largest(0);
-        let utilisation = largest.value / strength;
-        let state = match utilisation {
+        let utilisation = largest.map(|own| own.value / strength);
+        let state = utilisation.map(|utilisation| match utilisation {
             _ if peak > TABOR * strength => "beyond the hardness",
             utilisation if utilisation > 1.0 => "contained plasticity",
             _ => "elastic",
-        };
+        });
+        let given = wanted.strength.is_some();
+        // What is added does not grow with the pressures.
+        let grows = wanted.initial == [0.0; 6];
+        let shear = pressed.shakes_down(maxima).filter(|_| grows);
         json!({
             "strength_Pa": strength,
-            "strength_from": from,
+            "strength_from": if given { "yield_strength" } else { "hardness / 2.8" },
             "utilisation": utilisation,
-            "utilisation_error": largest.error / strength,
-            "depth_m": 0.0 - largest.place[2],
-            "first_yield_load_factor": 1.0 / utilisation,
-            "shakedown_load_factor": pressed.shakes_down(maxima).map(|shear| strength / 3f64.sqrt() / shear),
+            "utilisation_error": largest.map(|own| own.error / strength),
+            "depth_m": largest.map(|own| 0.0 - own.place[2]),
+            "first_yield_load_factor": utilisation.filter(|_| grows).map(f64::recip),
+            "shakedown_load_factor": shear.map(|shear| strength / 3f64.sqrt() / shear),
             "state": state,
         })
     });

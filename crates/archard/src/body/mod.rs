@@ -134,6 +134,12 @@ impl Body {
         Self { density: Some(density), ..self }
     }
 
+    /// Hardness (Pa): the largest pressure it bears, or else that of its law of wear, or else that of its material.
+    pub fn known_hardness(&self) -> Option<f64> {
+        let of_law = || self.wear.as_ref().and_then(|law| law.hardness());
+        self.hardness.or_else(of_law).or(self.indentation_hardness)
+    }
+
     /// The same body of a material of that indentation hardness (Pa).
     #[must_use]
     pub fn indentation_hardness(self, hardness: f64) -> Self {

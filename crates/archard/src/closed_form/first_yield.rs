@@ -6,15 +6,12 @@
 //! zz = -1/(1 + z^2)        rr = -(1 + nu) (1 - z atan(1/z)) + 1/(2 (1 + z^2)),
 //! ```
 //!
-//! under a line of half-width one, in plane strain,
-//!
-//! ```text
-//! xx = 2 z - (1 + 2 z^2)/m    zz = -1/m    m = (1 + z^2)^(1/2)    yy = nu (xx + zz),
-//! ```
-//!
-//! times the peak pressure, and the largest equivalent stress of von Mises lies on the axis: below the surface, under a line of a
-//! Poisson's ratio up to 0.19 on it.
+//! times the peak pressure, and under a line those of [McEwen](super::sliding_line). The largest equivalent stress of von Mises lies
+//! on the axis, below the surface or, under a line of a Poisson's ratio up to 0.19, on it; under a circle of a ratio below -0.33 it
+//! lies around the contact, where rr = -tt = (1 - 2 nu)/3.
 
+use super::sliding_line;
+use crate::numerics::SAME;
 use crate::stress::von_mises;
 
 /// Where bodies yield first.
@@ -29,7 +26,8 @@ pub struct FirstYield {
 impl FirstYield {
     /// Under a circular contact.
     pub fn under_circle(poisson: f64) -> Self {
-        Self::below(|z| {
+        let rim = (1.0 - 2.0 * poisson) / 3f64.sqrt();
+        Self::of(rim, 0.0, |z| {
             let zz = -1.0 / (1.0 + z * z);
             let rr = -(1.0 + poisson) * (1.0 - z * (1.0 / z).atan()) - 0.5 * zz;
             von_mises(&[rr, rr, zz, 0.0, 0.0, 0.0])
@@ -38,26 +36,28 @@ impl FirstYield {
 
     /// Under a line of contact.
     pub fn under_line(poisson: f64) -> Self {
-        Self::below(|z| {
-            let m = (1.0 + z * z).sqrt();
-            let (xx, zz) = (2.0 * z - (1.0 + 2.0 * z * z) / m, -1.0 / m);
-            von_mises(&[xx, poisson * (xx + zz), zz, 0.0, 0.0, 0.0])
+        // Where the maximum below the surface is the larger, a minimum lies above it, at less than 0.16.
+        Self::of(1.0 - 2.0 * poisson, 0.16, |z| {
+            von_mises(&sliding_line::stress([0.0, z], 0.0, poisson))
         })
     }
 
-    /// The largest of an equivalent stress (over the peak pressure) of the depth.
-    fn below(stress: impl Fn(f64) -> f64) -> Self {
-        // Below the surface there is one maximum, at less than a radius: it is enclosed by parts of a golden section.
+    /// The larger of an equivalent stress (over the peak pressure) on the surface and that of the depth, which has one maximum between
+    /// a least depth and one.
+    fn of(surface: f64, least: f64, stress: impl Fn(f64) -> f64) -> Self {
         let golden = 0.5 * (5f64.sqrt() - 1.0);
-        let [mut low, mut high] = [0.2, 1.0];
-        while high - low > 1e-9 {
+        let [mut low, mut high] = [least, 1.0];
+        // Nearer to a maximum values differ by rounding alone.
+        while high - low > SAME {
             let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
             if stress(left) < stress(right) { low = left } else { high = right }
         }
-        let inside = 0.5 * (low + high);
-        let surface = f64::MIN_POSITIVE;
-        let depth = if stress(surface) > stress(inside) { 0.0 } else { inside };
-        Self { pressure: 1.0 / stress(depth.max(surface)), depth }
+        let depth = 0.5 * (low + high);
+        let inside = stress(depth);
+        if surface > inside {
+            return Self { pressure: 1.0 / surface, depth: 0.0 };
+        }
+        Self { pressure: 1.0 / inside, depth }
     }
 }
 
@@ -69,6 +69,8 @@ mod tests {
     #[test]
     fn pressures_and_depths_are_those_of_the_whole_field() {
         let circle = [
+            // Around the contact: (1 - 2 nu)/3^.5.
+            (-0.5, 0.5 * 3f64.sqrt(), 0.0),
             (0.0, 1.29931, 0.38194),
             (0.1, 1.39448, 0.41488),
             (0.25, 1.55435, 0.46431),

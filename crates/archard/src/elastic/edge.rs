@@ -6,25 +6,33 @@
 //! has its root, the last pressed element left out; A follows by least squares. The same from points farther away, and with a
 //! further term, says how far off it may be.
 
+use std::collections::BTreeSet;
+
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use rayon::prelude::*;
 
 use crate::compliance::half_space::inside::Below;
-use crate::stress::{Components, tension};
+use crate::stress::{Components, MEASURES, Measure};
 
-/// Open elements beyond the edge that are looked at.
-const OPEN: usize = 5;
+/// Open elements that a limit is fitted to: one more than there are terms.
+const FITTED: usize = 4;
+/// Open elements beyond the edge that are looked at: the fit is made once more an element farther away.
+const OPEN: usize = FITTED + 1;
 
-/// Edges that are looked at, those of the largest tension: among them are some along which elements do not stand out, where the
-/// limit is surer. A choice of effort.
+/// Edges that are looked at for each measure, those where it is largest: among them are some along which elements do not stand out,
+/// where the limit is surer. A choice of effort.
 const EDGES: usize = 32;
+
+/// How far along an edge rows are looked at on both sides, over the width of an element across it. A choice: elements stand out from an
+/// edge that is nearly along them in long steps, of which nearer rows show a part.
+const ROWS: f64 = 2.0;
 
 /// The stress at an edge, with all that says how far off it may be.
 pub(super) struct AtEdge {
     /// In three ways, the first of them the best.
     stress: [Components; 3],
-    /// In the next rows, the best way: elements stand out from an edge that is aslant, and do so otherwise there.
+    /// In rows on both sides, the best way: elements stand out from an edge that is aslant, and do so otherwise there.
     rows: Vec<Components>,
     /// Where the edge is (m).
     pub place: [f64; 2],
@@ -41,7 +49,7 @@ impl AtEdge {
     }
 }
 
-/// The edges of the largest tension, by the stresses in a plane an element deep.
+/// The edges of the largest measures, by the stresses in a plane an element deep.
 pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
     let [nx, ny] = below.elements();
     let pressed = |element: usize| below.pressure()[element] > 0.0;
@@ -55,20 +63,31 @@ pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
         ];
         !pressed(*element) && next.into_iter().flatten().any(pressed)
     };
-    let pull = |element: usize| tension(&plane.each_ref().map(|field| field[element]));
-    let mut rim: Vec<(usize, f64)> =
-        (0..nx * ny).filter(rim).map(|element| (element, pull(element))).collect();
-    rim.sort_by(|a, b| b.1.total_cmp(&a.1));
-    rim.truncate(EDGES);
+    let rim: Vec<usize> = (0..nx * ny).filter(rim).collect();
+    let largest = |(_, measure): &Measure| {
+        let value = |element: usize| measure(&plane.each_ref().map(|field| field[element]));
+        let own = rim.iter().map(|&element| (element, value(element)));
+        // Where stresses are not known there is no number.
+        let mut own: Vec<(usize, f64)> = own.filter(|(_, value)| !value.is_nan()).collect();
+        own.sort_by(|a, b| b.1.total_cmp(&a.1));
+        own.into_iter().take(EDGES).map(|(element, _)| element)
+    };
+    let chosen: BTreeSet<usize> = MEASURES.iter().flat_map(largest).collect();
     let edge = |element: usize| {
         let mut edge = at_edge(below, element)?;
-        let step = if edge.axis == 0 { nx } else { 1 };
-        let next = [element.checked_sub(step), Some(element + step)].into_iter().flatten();
-        let next = next.filter(|next| *next < nx * ny && !below.is_line());
-        edge.rows = next.filter_map(|next| Some(at_edge(below, next)?.stress[0])).collect();
-        (below.is_line() || !edge.rows.is_empty()).then_some(edge)
+        if below.is_line() {
+            return Some(edge);
+        }
+        let (axis, spacing) = (1 - edge.axis, below.spacing());
+        let wide = (ROWS * spacing[edge.axis] / spacing[axis]).round().max(1.0) as usize;
+        let (index, step) = ([element % nx, element / nx][axis], [1, nx][axis]);
+        let low = (1..=wide.min(index)).map(|row| element - row * step);
+        let high = (1..=wide.min([nx, ny][axis] - 1 - index)).map(|row| element + row * step);
+        let rows = low.chain(high);
+        edge.rows = rows.filter_map(|next| Some(at_edge(below, next)?.stress[0])).collect();
+        (!edge.rows.is_empty()).then_some(edge)
     };
-    rim.into_par_iter().filter_map(|(element, _)| edge(element)).collect()
+    chosen.into_par_iter().filter_map(edge).collect()
 }
 
 /// At the edge next to an element; `None` where pressures do not fall to zero as they do at a smooth edge.
@@ -93,9 +112,9 @@ fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
     }
     let stresses: Vec<Components> = open.iter().map(|(place, _)| below.even(*place, 0.0)).collect();
     let limit = |from: usize, powers: &[f64]| -> Components {
-        let (distances, found) = (&open[from..from + 4], &stresses[from..from + 4]);
-        let terms = Mat::from_fn(4, powers.len(), |i, j| distances[i].1.powf(powers[j]));
-        let values = Mat::from_fn(4, 6, |i, component| found[i][component]);
+        let (distances, found) = (&open[from..from + FITTED], &stresses[from..from + FITTED]);
+        let terms = Mat::from_fn(FITTED, powers.len(), |i, j| distances[i].1.powf(powers[j]));
+        let values = Mat::from_fn(FITTED, 6, |i, component| found[i][component]);
         let solved = terms.qr().solve_lstsq(&values);
         std::array::from_fn(|component| solved[(0, component)])
     };

@@ -72,8 +72,7 @@ impl Pressed {
     /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
     /// frame.
     pub fn at(&self, place: [f64; 3]) -> Option<Response> {
-        let known = place[2] <= 0.0 && -place[2] <= KNOWN * self.distance_to_sides(place);
-        known.then(|| Response {
+        (place[2] <= 0.0 && self.knows(place)).then(|| Response {
             displacement: self.below.displacement(place),
             stress: tensor(self.below.stress(place)),
         })
@@ -99,10 +98,28 @@ impl Pressed {
         section.responses(None, |place: DVec3| self.at(section.below_zero(place)?.to_array()))
     }
 
-    /// How deep (m) stresses are known below the middle of the frame.
+    /// How deep (m) stresses are known below the centre of an element, where they are deepest.
     pub fn known_depth(&self) -> f64 {
-        let half = self.sides.map(|[low, high]| 0.5 * (high - low));
-        KNOWN * half[0].min(half[1])
+        let depth = |element: usize| {
+            let [x, y] = self.below.place(element);
+            KNOWN * self.distance_to_sides([x, y, 0.0])
+        };
+        (0..self.below.pressure().len()).map(depth).fold(0.0, f64::max)
+    }
+
+    /// Complains about the first of these depths (m) that stresses are not known at.
+    ///
+    /// # Errors
+    /// If there is one.
+    pub fn check(&self, depths: &[f64]) -> Result<(), ElasticError> {
+        let known = self.known_depth();
+        let deep = depths.iter().copied().find(|depth| *depth > known);
+        deep.map_or(Ok(()), |depth| Err(ElasticError::Deep { depth, known }))
+    }
+
+    /// Whether the stress at a place (m) depends on the pressures of the frame alone.
+    pub(super) fn knows(&self, place: [f64; 3]) -> bool {
+        -place[2] <= KNOWN * self.distance_to_sides(place)
     }
 
     /// How far (m) a place is from the sides that pressures are cut at.

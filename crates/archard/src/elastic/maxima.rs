@@ -9,28 +9,17 @@ use rayon::prelude::*;
 use super::Pressed;
 use super::edge::{AtEdge, edges};
 use crate::compliance::half_space::inside::Below;
-use crate::stress::{Components, orthogonal_shear, shear, tension, von_mises};
+use crate::stress::{Components, MEASURES};
 
-/// A measure of a stress (Pa), with its name.
-pub type Measure = (&'static str, fn(&Components) -> f64);
-
-/// What is looked for.
-pub const MEASURES: [Measure; 4] = [
-    ("von_mises", von_mises),
-    ("shear", shear),
-    ("tension", tension),
-    ("orthogonal_shear", orthogonal_shear),
-];
-
-/// Ratio of depths that are looked at: between two of them a parabola misses a maximum by some thousandths. A choice of effort.
+/// Ratio of depths that are looked at, from the largest of which a maximum is sought. A choice of effort.
 const RATIO: f64 = 1.25;
-/// How many are looked at at most.
-const MOST: usize = 60;
-/// How closely a maximum is placed, relative to the size of an element.
+/// How closely a maximum is placed, relative to the size of an element; its value follows with the square of that. A choice of effort.
 const CLOSE: f64 = 1.0 / 32.0;
-/// Pressed elements around one that is away from the edge: as many as the field of an even element reaches.
+/// Pressed elements around one that is away from the edge. A choice: what is left nearer to it counts as unknown, unless what is found
+/// elsewhere is larger.
 const AROUND: isize = 3;
-/// The least and the greatest order that a field can have.
+/// The least and the greatest order that a field can have: that of a root of the distance, at an edge or where stick ends, and that of
+/// even elements.
 const ORDERS: [f64; 2] = [0.5, 2.0];
 
 /// A largest stress.
@@ -71,11 +60,24 @@ pub struct Maxima {
     pub layers: Vec<Layer>,
 }
 
+impl Maximum {
+    /// Of the value on elements of once, twice and four times the size at that place.
+    fn of([value, near, far]: [f64; 3], place: [f64; 3]) -> Self {
+        let (first, second) = ((value - near).abs(), (near - far).abs());
+        let order = (second / first).log2().clamp(ORDERS[0], ORDERS[1]);
+        let order = if order.is_nan() { ORDERS[1] } else { order };
+        let ratio = order.exp2();
+        // One of both differences may vanish by chance.
+        let error = first.max(second / ratio) / (ratio - 1.0);
+        Self { value, error, order, place }
+    }
+}
+
 impl Maxima {
-    /// The larger of what is inside and what is on the surface.
-    pub fn largest(&self, measure: usize) -> Maximum {
+    /// The larger of what is inside and what is on the surface; `None` where the latter is not known.
+    pub fn largest(&self, measure: usize) -> Option<Maximum> {
         let inside = self.inside[measure];
-        self.surface[measure].filter(|surface| surface.value > inside.value).unwrap_or(inside)
+        self.surface[measure].map(|own| if own.value > inside.value { own } else { inside })
     }
 }
 
@@ -102,19 +104,21 @@ impl Pressed {
         }
         let count = ((last / first).ln() / RATIO.ln()).ceil() as usize + 1;
         let ratio = (last / first).powf(1.0 / (count.max(2) - 1) as f64);
-        (0..count.min(MOST)).map(|index| first * ratio.powi(index as i32)).collect()
+        // The last is met, to all digits.
+        (1..count).map(|index| first * ratio.powi(index as i32 - 1)).chain([last]).collect()
     }
 
     /// The largest shear (Pa) along the surface, by which a line of contact that passes again and again shakes down after Melan
     /// (K. L. Johnson & J. A. Jefferis, *Symposium on Rolling Contact Fatigue*, 1963): residual stresses xx and yy are free, and
-    /// what is left is that shear, up to the strength in shear. `None` where it is no line, or friction acts along it.
+    /// what is left is that shear, up to the strength in shear. `None` where it is no line, friction acts along it, or that shear is
+    /// not known on the surface.
     pub fn shakes_down(&self, maxima: &Maxima) -> Option<f64> {
         let plane = self.below.is_line() && !self.below.rubs_along(1);
-        plane.then(|| maxima.largest(3).value)
+        maxima.largest(3).filter(|_| plane).map(|largest| largest.value)
     }
 
     /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under a strength (Pa).
-    /// `see` is shown the stresses in every plane.
+    /// `see` is shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame.
     pub fn maxima(
         &self,
         depths: &[f64],
@@ -124,7 +128,7 @@ impl Pressed {
         let layers: Vec<Layer> = depths
             .iter()
             .map(|&depth| {
-                let plane = plane(&self.below, depth, initial);
+                let plane = self.plane(depth, initial);
                 see(depth, &plane);
                 layer(&self.below, depth, &plane, strength)
             })
@@ -136,93 +140,91 @@ impl Pressed {
                 .iter()
                 .max_by(|a, b| a.largest[measure].0.total_cmp(&b.largest[measure].0))?;
             let [x, y] = from.largest[measure].1;
-            Some(below_surface(levels, (measure, initial), [x, y, -from.depth], depths))
+            let start = [x, y, -from.depth];
+            Some(self.below_surface(levels, (measure, initial), start, depths))
         };
         let [hx, hy] = self.below.spacing();
         let face = self.below.plane(0.0);
-        let edges = edges(&self.below, &self.below.plane(hx.max(hy)));
-        let surface = |measure: usize| {
-            on_surface([&self.below, &coarse], (measure, initial), (&face, &edges))
-        };
+        let edges = edges(&self.below, &self.plane(hx.max(hy), initial));
+        let surface = |measure: usize| on_surface(levels, (measure, initial), (&face, &edges));
         let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
         Some(Maxima { inside, surface: [0, 1, 2, 3].map(surface), layers })
     }
-}
 
-/// The stresses in a plane, with an even one.
-fn plane(below: &Below, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
-    let mut plane = below.plane(depth);
-    for (field, added) in plane.iter_mut().zip(initial) {
-        field.iter_mut().for_each(|value| *value += added);
+    /// The stresses in a plane, with an even one; no numbers where they are not known.
+    fn plane(&self, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
+        let mut plane = self.below.plane(depth);
+        for (field, added) in plane.iter_mut().zip(initial) {
+            for (element, value) in field.iter_mut().enumerate() {
+                let [x, y] = self.below.place(element);
+                *value = if self.knows([x, y, -depth]) { *value + added } else { f64::NAN };
+            }
+        }
+        plane
     }
-    plane
+
+    /// The maximum below the surface next to a place, within these depths; the field there on elements of twice and four times the size
+    /// says how far off it may be.
+    fn below_surface(
+        &self,
+        levels: [&Below; 3],
+        (measure, initial): (usize, &Components),
+        start: [f64; 3],
+        depths: &[f64],
+    ) -> Maximum {
+        let value = |below: &Below, place: [f64; 3]| {
+            let mut stress = below.stress(place);
+            stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
+            (MEASURES[measure].1)(&stress)
+        };
+        let [h, _] = levels[0].spacing();
+        let ends = [depths[0], depths[depths.len() - 1]];
+        let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
+        let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
+        // Uphill along one axis after the other, by steps that double where they lead up and halve where none does.
+        while step > CLOSE * h {
+            let mut higher = false;
+            for (axis, side) in axes.iter().flat_map(|&axis| [(axis, -1.0), (axis, 1.0)]) {
+                let mut next = place;
+                next[axis] += side * step;
+                next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+                let there = value(levels[0], next);
+                if there > best && self.knows(next) {
+                    (place, best, higher) = (next, there, true);
+                }
+            }
+            step *= if higher { 1.0 } else { 0.5 };
+        }
+        Maximum::of([best, value(levels[1], place), value(levels[2], place)], place)
+    }
 }
 
 /// What there is in a plane.
 fn layer(below: &Below, depth: f64, plane: &[Vec<f64>; 6], strength: Option<f64>) -> Layer {
     let of = |element: usize| plane.each_ref().map(|field| field[element]);
     let count = below.pressure().len();
+    let known = |element: &usize| !plane[0][*element].is_nan();
     let all: Vec<[f64; 4]> = (0..count)
         .into_par_iter()
         .with_min_len(256)
         .map(|element| MEASURES.map(|(_, measure)| measure(&of(element))))
         .collect();
     let largest = [0, 1, 2, 3].map(|measure| {
-        let element = (0..count).max_by(|&a, &b| all[a][measure].total_cmp(&all[b][measure]));
+        let known = (0..count).filter(known);
+        let element = known.max_by(|&a, &b| all[a][measure].total_cmp(&all[b][measure]));
         let element = element.unwrap_or_default();
         (all[element][measure], below.place(element))
     });
-    let pressed = |element: &usize| below.pressure()[*element] > 0.0;
+    let pressed = |element: &usize| known(element) && below.pressure()[*element] > 0.0;
     let area = (0..count).filter(pressed).count().max(1) as f64;
     let mean = (0..count).filter(pressed).map(|element| all[element][0]).sum::<f64>() / area;
     let yields = strength.map(|own| all.iter().filter(|all| all[0] > own).count() as f64 / area);
     Layer { depth, largest, mean, yields }
 }
 
-/// The maximum below the surface next to a place, within these depths; the field there on elements of twice and four times the size
-/// says how far off it may be.
-fn below_surface(
-    levels: [&Below; 3],
-    (measure, initial): (usize, &Components),
-    start: [f64; 3],
-    depths: &[f64],
-) -> Maximum {
-    let value = |below: &Below, place: [f64; 3]| {
-        let mut stress = below.stress(place);
-        stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
-        (MEASURES[measure].1)(&stress)
-    };
-    let [h, _] = levels[0].spacing();
-    let ends = [depths[0], depths[depths.len() - 1]];
-    let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
-    let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
-    // Uphill along one axis after the other, by steps that double where they lead up and halve where none does.
-    while step > CLOSE * h {
-        let mut higher = false;
-        for (axis, side) in axes.iter().flat_map(|&axis| [(axis, -1.0), (axis, 1.0)]) {
-            let mut next = place;
-            next[axis] += side * step;
-            next[2] = -(-next[2]).clamp(ends[0], ends[1]);
-            let there = value(levels[0], next);
-            if there > best {
-                (place, best, higher) = (next, there, true);
-            }
-        }
-        step *= if higher { 1.0 } else { 0.5 };
-    }
-    let [near, far] = [1, 2].map(|level| value(levels[level], place));
-    let (first, second) = ((best - near).abs(), (near - far).abs());
-    let order = (second / first).log2().clamp(ORDERS[0], ORDERS[1]);
-    let order = if order.is_nan() { ORDERS[1] } else { order };
-    let ratio = order.exp2();
-    // One of both differences may vanish by chance.
-    let error = first.max(second / ratio) / (ratio - 1.0);
-    Maximum { value: best, error, order, place }
-}
-
 /// The maximum on the surface: where all is pressed around, or at an edge; `None` where neither is known.
 fn on_surface(
-    [below, coarse]: [&Below; 2],
+    levels: [&Below; 3],
     (measure, initial): (usize, &Components),
     (face, edges): (&[Vec<f64>; 6], &[AtEdge]),
 ) -> Option<Maximum> {
@@ -230,6 +232,7 @@ fn on_surface(
         stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
         (MEASURES[measure].1)(&stress)
     };
+    let below = levels[0];
     let [nx, ny] = below.elements();
     let pressed = |element: usize, dx: isize, dy: isize| {
         let [i, j] = [(element % nx) as isize + dx, (element / nx) as isize + dy];
@@ -248,9 +251,9 @@ fn on_surface(
     };
     let middle = largest(face, &surrounded).map(|(element, value)| {
         let [x, y] = below.place(element);
-        let coarse = of(coarse.stress([x, y, 0.0]));
-        let error = (value - coarse).abs() / (ORDERS[1].exp2() - 1.0);
-        Maximum { value, error, order: ORDERS[1], place: [x, y, 0.0] }
+        let place = [x, y, 0.0];
+        let [near, far] = [1, 2].map(|level: usize| of(levels[level].stress(place)));
+        Maximum::of([value, near, far], place)
     });
     let beside = largest(face, &|element| !surrounded(element));
     let beside = beside.map_or(f64::NEG_INFINITY, |(_, value)| value);

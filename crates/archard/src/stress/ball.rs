@@ -3,7 +3,8 @@
 //! E. Welzl (*Lecture Notes in Computer Science* 555 (1991) 359): a point outside of the ball around those before it lies on the
 //! surface of the ball around them all.
 
-/// How far outside a point may lie, relative to the radius.
+/// How far outside a point may lie, relative to the radius: above the rounding of the few equations a ball follows from, below any
+/// stress's own error.
 const NEAR: f64 = 1e-12;
 
 /// A ball, by its centre and radius.

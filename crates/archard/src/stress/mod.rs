@@ -2,9 +2,6 @@
 
 mod ball;
 pub mod criteria;
-#[cfg(test)]
-#[path = "tests.rs"]
-mod paths;
 pub mod planes;
 
 pub use ball::smallest_ball;
@@ -14,6 +11,17 @@ pub type Components = [f64; 6];
 
 /// Indentation hardness over yield stress (D. Tabor, *The Hardness of Metals*, 1951).
 pub const TABOR: f64 = 2.8;
+
+/// A measure of a stress (Pa), with its name.
+pub type Measure = (&'static str, fn(&Components) -> f64);
+
+/// What a stress is judged by.
+pub const MEASURES: [Measure; 4] = [
+    ("von_mises", von_mises),
+    ("shear", shear),
+    ("tension", tension),
+    ("orthogonal_shear", orthogonal_shear),
+];
 
 /// The equivalent stress of von Mises (Pa).
 pub fn von_mises(&[xx, yy, zz, xy, xz, yz]: &Components) -> f64 {

@@ -10,9 +10,9 @@ pub type Plane = [f64; 3];
 
 /// Steps of the planes that are tried between the pole and the equator: ten degrees each. A choice of effort.
 const STEPS: usize = 9;
-/// How many of them are refined.
+/// How many of them are refined: a choice of effort, too. Two maxima may be about as large.
 const BEST: usize = 6;
-/// How closely (rad).
+/// How closely (rad): a maximum is met to the square of it, which is rounding.
 const CLOSE: f64 = 1e-7;
 
 /// What a path of stresses, or strains, does on a plane.

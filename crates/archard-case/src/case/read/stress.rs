@@ -48,7 +48,7 @@ const RANGE: &[Parameter] = &[
     Parameter::required("count", Quantity::Count, "how many depths, in a constant ratio"),
 ];
 
-/// Most depths that are looked at.
+/// Most depths that are looked at, each at the cost of a field: a budget.
 const MOST: usize = 200;
 
 impl Reader<'_> {

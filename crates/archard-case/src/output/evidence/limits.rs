@@ -47,11 +47,9 @@ impl Limits {
             if let Some(gone) = gone(body, deepest) {
                 worst_of(&mut self.layers, gone, body);
             }
-            let of_law = body.wear.as_ref().and_then(|law| law.hardness());
-            let hardness = body.hardness.or(of_law).or(body.indentation_hardness);
             let young = body.uppermost().map(|material| material.young);
             let young = young.filter(|young| *young >= verdict::ELASTOMERS);
-            match (hardness, young) {
+            match (body.known_hardness(), young) {
                 (Some(hardness), _) => worst_of(&mut self.hardness, peak / hardness, body),
                 (None, Some(young)) => worst_of(&mut self.modulus, peak / young, body),
                 (None, None) => {}

@@ -2,9 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::Components;
-use super::ball::smallest_ball;
-use super::criteria::{Elastic, crossland, dang_van, fatemi_socie, findley, smith_watson_topper};
+use archard::closed_form::sliding_line;
+use archard::stress::criteria::{
+    Elastic, crossland, dang_van, fatemi_socie, findley, smith_watson_topper,
+};
+use archard::stress::{Components, smallest_ball};
 
 const STEEL: Elastic = Elastic { young: 210e3, poisson: 0.3 };
 
@@ -21,16 +23,7 @@ fn tension_and_torsion(lag: f64) -> Vec<Components> {
 fn rolling() -> Vec<Components> {
     let at = |step: i32| {
         let (x, z) = (4.0 - 0.05 * f64::from(step), 0.5);
-        let b: f64 = 1.0 - x * x + z * z;
-        let r = b.hypot(2.0 * x * z);
-        let (m, n) = ((0.5 * (r + b)).sqrt(), (0.5 * (r - b)).max(0.0).sqrt().copysign(x));
-        let sum = m * m + n * n;
-        let xx = -(m * (1.0 + (z * z + n * n) / sum) - 2.0 * z);
-        let zz = -m * (1.0 - (z * z + n * n) / sum);
-        let xz = -n * (m * m - z * z) / sum;
-        let sheared = n * (2.0 - (z * z - m * m) / sum) - 2.0 * x;
-        let (xx, zz, xz) = (xx + 0.1 * sheared, zz + 0.1 * xz, xz + 0.1 * xx);
-        [xx, 0.3 * (xx + zz), zz, 0.0, xz, 0.0].map(|value| 1000.0 * value)
+        sliding_line::stress([x, z], 0.1, 0.3).map(|value| 1000.0 * value)
     };
     (0..161).map(at).collect()
 }
