@@ -133,6 +133,25 @@ fn heads_units_and_axes_are_told() {
     }
 }
 
+/// A half turn about x takes y to the left and z upwards: what lies along either changes its sign, and so does what turns about either.
+#[test]
+fn axes_upwards_are_a_half_turn() {
+    let text = |sign: f64| {
+        let row = [3e-3, 1e-3, 1e-4, 2e-3, 0.05, 0.01, 0.02, -5.0].map(|one| sign * one);
+        let row = row.map(|one| one.to_string()).join(",");
+        let head = "s [m],y [m],yaw [rad],curvature [1/m],cant [m],lateral_speed [m/s],vertical_speed [m/s],yaw_rate [rad/s],\
+                    pitch_rate [rad/s],roll [rad],roll_rate [rad/s],speed [m/s],creepage_right";
+        let rest = "1e-3,4e-3,2,1e-3";
+        format!("{head}\n0,{row},{rest}\n5,{row},{rest}\n")
+    };
+    let states = |text: &str, upwards: bool| {
+        let option = format!("motion.wheel_rail.history.upwards={upwards}");
+        let case = with_history(text, &[&option]).unwrap().case;
+        case.prepare().unwrap().running.states().unwrap()
+    };
+    assert_eq!(states(&text(1.0), false), states(&text(-1.0), true));
+}
+
 /// Each wheel bears its own load, as given or by the balance in a curve, and creeps as is prescribed.
 #[test]
 fn each_wheel_has_its_load_and_its_creepage() {
@@ -151,6 +170,10 @@ fn each_wheel_has_its_load_and_its_creepage() {
     // 20 m/s on 500 m to the right: 0.8 m/s^2 outwards, less 9.80665 x 60/1500 inwards; 1.5 m up on 1.5 m.
     let text = "s [m],radius [m],cant [mm],v [m/s]\n0,500,60,20\n5,500,60,20\n";
     let curve = loads(text, &["motion.wheel_rail.centre_height=1.5 m"]);
+    // Forces that are given have the balance in them.
+    let text = "s [m],Q_right [kN],Q_left [kN],radius [m],v [m/s]\n0,12,8,500,20\n5,12,8,500,20\n";
+    let given = loads(text, &["motion.wheel_rail.centre_height=1.5 m"]);
+    assert!((given[0] - 12e3).abs() < 1e-6 && (given[1] - 8e3).abs() < 1e-6, "{given:?}");
     let moved = 20e3 * (0.8 / 9.80665 - 0.04);
     assert!((curve[0] - (10e3 - moved)).abs() < 1e-6, "{curve:?} {moved}");
     assert!((curve[1] - (10e3 + moved)).abs() < 1e-6, "{curve:?} {moved}");
@@ -175,6 +198,13 @@ fn wrong_histories_are_refused_in_words() {
         (format!("a [m],y [mm]\n{rows}"), vec![], "neither a distance nor a time"),
         ("s [m],y [mm]\n0,1\n2,1\n1,1\n".to_owned(), vec![], "line 4: the way falls"),
         ("s [m],y [mm]\n0,1\n0,1\n".to_owned(), vec![], "goes no way"),
+        (format!("s [m],Q_right [kN]\n{rows}"), vec![], "`q_right` and `q_left` count together"),
+        ("s [m],radius [m],kappa [1/m]\n0,1,1\n1,1,1\n".to_owned(), vec![], "keep one of them"),
+        (
+            "s [m],Q_right [kN],Q_left [kN],wheel_load [kN]\n0,1,1,1\n1,1,1,1\n".to_owned(),
+            vec![],
+            "`wheel_load` and `q_right`",
+        ),
         (format!("s [m],y [mm]\n{rows}"), vec!["yaw=heading"], "heading"),
         (format!("s [m],y [mm]\n{rows}"), vec!["within=2"], "between 0 and 1"),
         (

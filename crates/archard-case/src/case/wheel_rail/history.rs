@@ -47,7 +47,9 @@ pub const HISTORY: &[Parameter] = &[
     title("q_left", "vertical force on the left wheel"),
     title("friction", "coefficient of friction"),
     title("flange_friction", "coefficient of friction on the flange"),
+    title("load_transfer", "how much more the right wheel bears, and the left one less"),
     title("lateral_speed", "speed of the wheelset across the track"),
+    title("vertical_speed", "speed of the wheelset downwards"),
     title("yaw_rate", "rate of the yaw"),
     title("roll_rate", "rate of the roll"),
     title("pitch_rate", "rate of turning about the axle"),
@@ -90,9 +92,26 @@ const NAMES: &[(&str, &[&str])] = &[
     ("friction", &["mu", "friction_coefficient"]),
 ];
 
-/// What changes its sign where z points upwards and y to the left: all along y and z, and all turns about z.
-const TURNED: &[&str] =
-    &["shift", "yaw", "yaw_rate", "lateral_speed", "curvature", "superelevation"];
+/// Columns that say the same in two ways.
+const EITHER: [(&str, &str); 5] = [
+    ("curvature", "radius"),
+    ("wheel_load", "q_right"),
+    ("wheel_load", "q_left"),
+    ("load_transfer", "q_right"),
+    ("load_transfer", "q_left"),
+];
+
+/// What changes its sign where z points upwards and y to the left: all along y and z, and all turns about them.
+const TURNED: &[&str] = &[
+    "shift",
+    "yaw",
+    "yaw_rate",
+    "pitch_rate",
+    "lateral_speed",
+    "vertical_speed",
+    "curvature",
+    "superelevation",
+];
 
 impl History {
     /// Of the values of its table; `speed` (m/s) counts where a file of times has none.
@@ -119,13 +138,21 @@ impl History {
         }
         let names: Vec<(&str, &str)> = names.iter().map(|(name, own)| (&**name, &**own)).collect();
         let table = table.naming(&names).map_err(|error| wrong(error.to_string()))?;
+        let has = |name: &str| table.names().any(|own| own == name);
+        if let Some((one, other)) = EITHER.iter().find(|(one, other)| has(one) && has(other)) {
+            let message = format!("{name} has both `{one}` and `{other}`: keep one of them");
+            return Err(wrong(message));
+        }
+        if has("q_right") != has("q_left") {
+            let message = "the force on one wheel alone: `q_right` and `q_left` count together";
+            return Err(wrong(format!("{name} has {message}")));
+        }
         let column = |name: &str| {
             let known = COLUMNS.iter().chain(OTHERS).find(|(known, _)| *known == name);
             let quantity = known.map_or(Quantity::Number, |(_, quantity)| *quantity);
             let measure = measure(quantity, &Values::default()).unwrap_or(Measure::NUMBER);
-            let has = table.names().any(|own| own == name);
             let read = || table.all_numbers(name, &measure);
-            has.then(read).transpose().map_err(|error| wrong(error.to_string()))
+            has(name).then(read).transpose().map_err(|error| wrong(error.to_string()))
         };
         let mut steps = vec![];
         for (name, _) in COLUMNS.iter().filter(|(name, _)| *name != "share") {

@@ -46,8 +46,8 @@ pub struct Running {
 pub struct State {
     /// The vertical force (N) on each wheel, the mean of both.
     pub load: f64,
-    /// How much more (N) the right wheel bears, and the left one less.
-    pub transfer: f64,
+    /// How much more (N) the right wheel bears, and the left one less; by the balance in a curve where it is not given.
+    pub transfer: Option<f64>,
     /// How much higher (m) the left rail is than the right one.
     pub superelevation: f64,
     /// Height (m) of the centre of mass over the rails.
@@ -141,7 +141,7 @@ impl State {
             }
             "curvature" => &mut self.curvature,
             "wheel_load" => load,
-            "load_transfer" => &mut self.transfer,
+            "load_transfer" => self.transfer.insert(value),
             "superelevation" => &mut self.superelevation,
             "friction" => self.friction.insert(value),
             "flange_friction" => self.flange_friction.insert(value),
@@ -172,13 +172,14 @@ impl State {
         Ok(())
     }
 
-    /// How much more (N) the right wheel bears than half of both in a curve: what is given, and by the quasi-static balance of the centre
-    /// of mass on wheels that roll so far (m) from each other.
+    /// How much more (N) the right wheel bears than half of both: what is given, or by the quasi-static balance of the centre of mass
+    /// in a curve, on wheels that roll so far (m) from each other.
     fn transferred(&self, apart: f64) -> f64 {
         // Outwards, to the left where the track curves to the right.
         let uncompensated =
             self.velocity.forward.powi(2) * self.curvature / GRAVITY - self.superelevation / apart;
-        self.transfer - 2.0 * self.load * uncompensated * self.centre_height / apart
+        let balanced = -2.0 * self.load * uncompensated * self.centre_height / apart;
+        self.transfer.unwrap_or(balanced)
     }
 
     /// As an operating point, for a wheelset and a law of friction where no coefficient is given.
@@ -470,7 +471,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         flange_back: [or("flange_back", 1.36), or("flange_back_position", -0.07)],
         state: State {
             load: values.require("wheel_load")?,
-            transfer: 0.0,
+            transfer: None,
             superelevation: or("superelevation", 0.0),
             centre_height: or("centre_height", 0.0),
             creepages: [[None; 3]; 2],
