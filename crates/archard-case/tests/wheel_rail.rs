@@ -33,7 +33,7 @@ fn solved(options: &[&str]) -> Vec<f64> {
     patch.values.values()
 }
 
-/// Every error that is stated of a wheel belongs to the verdict, creepages beside all slip of the patch.
+/// Every error that is stated of a wheel belongs to the verdict, creepages relative to all slip of the patch.
 #[test]
 fn errors_of_creepages_are_judged() {
     let resolved = resolve(MANCHESTER, &[]).expect("a case");
@@ -245,7 +245,8 @@ fn errors_cover_the_noise_of_a_measured_profile() {
     assert!(outside <= 5, "{outside} of 36");
 }
 
-/// What is wrong with a set-up is never good: a profile upside down, a flange 85 mm from the back of its wheel, a contact that bears twice its load, a pressure above the shakedown limit, a wheel that slides.
+/// What is wrong with a set-up is never good: a profile upside down, a flange 85 mm from the back of its wheel, a contact that bears twice
+/// its load, a pressure above the shakedown limit, a wheel that slides.
 #[test]
 fn a_wrong_set_up_is_not_good() {
     let clean = archard_rail::standard::wheel_s1002(0.35e-3).unwrap().points;

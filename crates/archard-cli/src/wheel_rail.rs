@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use archard_case::output::{RailContact, RailHistory, RailLife, RailWear, Totals, write_rail};
 use archard_case::{Problem, ResolvedWheelRail};
-use archard_rail::wear::{COLUMNS, Pass, Step};
+use archard_rail::wear::{COLUMNS, CONICITY, Pass, Step};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
@@ -89,7 +89,7 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
         for (name, (value, error)) in COLUMNS.iter().zip(told.values.iter().zip(errors)) {
             let own = if name.starts_with("rail") { wear.wears[1] } else { wear.wears[0] };
             // The conicity is that of both.
-            if !own || value.is_nan() || *name == "equivalent_conicity" {
+            if !own || value.is_nan() || *name == CONICITY {
                 continue;
             }
             // Flanges are judged by hundredths of a millimetre.

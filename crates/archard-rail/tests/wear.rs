@@ -111,7 +111,7 @@ fn a_cylinder_that_spins_loses_k_f_s() {
     assert_relative_eq!(worn.wheel.volume(), slid * 1e3, max_relative = 1e-3);
     assert_relative_eq!(worn.wheel.area(), slid * 1e3 / (TAU * RADIUS), max_relative = 1e-3);
     assert_relative_eq!(worn.rail.volume(), slid * 1e5, max_relative = 1e-3);
-    // As much lies between the profiles, which the spline of their points tells to the fourth order.
+    // As much lies between the profiles, which the spline of their points has to the fourth order.
     let lost = between(&worn.wheel.profile(), &worn.wheel.unworn()).abs();
     assert_relative_eq!(lost, worn.wheel.area(), max_relative = 1e-4);
     let lost = between(&worn.rail.profile(), &worn.rail.unworn()).abs();

@@ -2,7 +2,7 @@
 
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
-use archard_rail::wear::{COLUMNS, Limit, Told, Travelled, Worn, WornProfile, error_of};
+use archard_rail::wear::{COLUMNS, CONICITY, Limit, Told, Travelled, Worn, WornProfile, error_of};
 use serde_json::{Value, json};
 
 use super::Error;
@@ -91,7 +91,7 @@ impl RailWear {
             let [distance, axles] = self.extent.map(|all| all * told.progress);
             let mut row = vec![("distance_m".to_owned(), distance), ("axles".to_owned(), axles)];
             let all = COLUMNS.iter().zip(&told.values).zip(&errors);
-            let all = all.filter(|((name, _), _)| **name != "equivalent_conicity" || weaves);
+            let all = all.filter(|((name, _), _)| **name != CONICITY || weaves);
             for ((name, value), error) in all {
                 row.push(((*name).to_owned(), *value));
                 row.push((format!("error_of_{name}"), *error));
@@ -219,9 +219,7 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             ([&first.values, none], [&last.values, errors])
         };
         let mut told = json!({ "side": wear.travelled.worn[at].side.name() });
-        for (index, name) in
-            COLUMNS.iter().enumerate().filter(|(_, name)| **name != "equivalent_conicity")
-        {
+        for (index, name) in COLUMNS.iter().enumerate().filter(|(_, name)| **name != CONICITY) {
             told[format!("new_{name}")] = json!(first[index]);
             told[*name] = json!(last[index]);
             told[format!("error_of_{name}")] = json!(errors[index]);

@@ -4,6 +4,9 @@ use super::{Travelled, Worn, error_of};
 use crate::flange::Flange;
 use crate::setup::Side;
 
+/// The column of the equivalent conicity.
+pub const CONICITY: &str = "equivalent_conicity";
+
 /// The names of what is told of a side, each with its unit, in the order of [`Told::values`].
 ///
 /// Of the wheel the worn area of its section, its worn volume, its largest depth, the depth at the datum of the tread (y = 0), and
@@ -19,7 +22,7 @@ pub const COLUMNS: [&str; 10] = [
     "flange_gradient_m",
     "rail_worn_area_m2",
     "rail_depth_m",
-    "equivalent_conicity",
+    CONICITY,
 ];
 
 /// What is told of a side at a share of the distance.

@@ -35,7 +35,9 @@ impl Limit {
     fn reached(&self, course: &[Told], side: Side) -> Option<f64> {
         let at = COLUMNS.iter().position(|column| *column == self.column)?;
         let own = course.iter().filter(|told| told.side == side);
-        let own: Vec<[f64; 2]> = own.map(|told| [told.progress, told.values[at]]).collect();
+        // A conicity is not a number where the wheelset does not steer itself back.
+        let own = own.map(|told| [told.progress, told.values[at]]);
+        let own: Vec<[f64; 2]> = own.filter(|[_, value]| !value.is_nan()).collect();
         let beyond = own.iter().position(|[_, value]| self.is_reached(*value))?;
         let [to, value] = own[beyond];
         let Some([from, before]) = beyond.checked_sub(1).map(|step| own[step]) else {
@@ -55,5 +57,26 @@ impl Travelled {
             let error = error_of([fine, coarse, hasty]);
             [fine, if error.is_nan() { f64::INFINITY } else { error }]
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{COLUMNS, Limit, Side, Told};
+    use crate::wear::CONICITY;
+
+    /// A conicity of 0.1, then none, then 0.3: straight over what is not a number.
+    #[test]
+    fn a_limit_is_reached_beyond_what_is_not_a_number() {
+        let told = |(progress, conicity): (f64, f64)| {
+            let mut values = vec![0.0; COLUMNS.len()];
+            values[COLUMNS.len() - 1] = conicity;
+            Told { progress, side: Side::Right, values }
+        };
+        let course = [(0.0, 0.1), (0.5, f64::NAN), (1.0, 0.3)].map(told);
+        let limit = Limit { column: CONICITY, value: 0.2, below: false };
+        let reached = limit.reached(&course, Side::Right).unwrap();
+        assert!((reached - 0.5).abs() < 1e-12, "{reached}");
+        assert_eq!(limit.reached(&course, Side::Left), None);
     }
 }

@@ -22,7 +22,7 @@ mod rates;
 mod work;
 mod worn_profile;
 
-pub use course::{COLUMNS, Told};
+pub use course::{COLUMNS, CONICITY, Told};
 pub use limits::Limit;
 pub use march::Step;
 pub use worn_profile::WornProfile;

@@ -1,7 +1,7 @@
 //! Where on a wheel friction works at an operating point.
 
 use super::{Journey, OperatingPoint};
-use crate::contact::{Bodies, ContactError, Loaded, Pressed};
+use crate::contact::{Bodies, ContactError, Loaded, Pressed, Resolution};
 use crate::setup::{Setup, Side};
 
 /// Elements that this is found on: the fewest of a [`Resolution`](crate::contact::Resolution).
@@ -19,7 +19,8 @@ impl Journey {
         let setups = vec![self.setup.clone(); self.sides.len()];
         let both = Side::both(&self.sides, &setups);
         let bodies = Bodies { wear: [None, None], ..point.between(&self.bodies) };
-        let operation = point.operation(both, &bodies, &self.resolution)?;
+        let resolution = Resolution { elements: ELEMENTS, ..self.resolution };
+        let operation = point.operation(both, &bodies, &resolution)?;
         let wheel = self.setup.wheel();
         let y = wheel.nodes().iter().map(|&along| wheel.point(along)[0]);
         let least = y.clone().fold(f64::INFINITY, f64::min);
@@ -28,7 +29,7 @@ impl Journey {
         let places = (width / apart).ceil() as usize + 2;
         let of_side = |(side, setup): (&Side, &Setup)| {
             let own = operation.of_side(*side);
-            let loaded = Loaded::new(setup, &bodies, &own, &self.resolution)?;
+            let loaded = Loaded::new(setup, &bodies, &own, &resolution)?;
             let (_, patches) = loaded.on(ELEMENTS, loaded.guess())?;
             let mut work = vec![0.0; places];
             for patch in patches.iter().filter(|patch| patch.normal > 0.0) {

@@ -71,7 +71,7 @@ impl Drives {
         Self { longitudinal, lateral, spin: share * self.spin, bow: share * self.bow, ..*self }
     }
 
-    /// Whether the rigid bodies slip alike all over the contact.
+    /// Whether the rigid bodies slip by the same all over the contact.
     pub fn is_even(&self) -> bool {
         self.spin == 0.0 && self.bow == 0.0
     }

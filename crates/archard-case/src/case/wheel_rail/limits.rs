@@ -1,10 +1,7 @@
 //! Limits of a wheel in service, `until` of a case: any of them ends its life.
 
 use archard::parameters::{Parameter, Quantity, Values};
-use archard_rail::wear::Limit;
-
-/// The column of the equivalent conicity.
-pub(super) const CONICITY: &str = "equivalent_conicity";
+use archard_rail::wear::{CONICITY, Limit};
 
 /// What limits a wheel may have.
 pub const LIMITS: &[Parameter] = &[

@@ -6,14 +6,14 @@ use archard::parameters::Invalid;
 use archard_rail::conicity::equivalent_conicity;
 use archard_rail::contact::{self, Bodies, ContactError, Resolution};
 use archard_rail::file::Format;
+use archard_rail::flange;
 use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
-use archard_rail::wear::{Journey, Limit, Pass, Route, Step, Worn, error_of};
+use archard_rail::wear::{CONICITY, Journey, Limit, Pass, Route, Step, Worn, error_of};
 use rayon::prelude::*;
 
 use super::RailError;
 use super::forecast::AMPLITUDE;
-use super::limits;
 use super::running::{Columns, Running, State, title};
 use crate::output::{
     AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailResults, RailWear,
@@ -126,11 +126,11 @@ impl Prepared {
         Ok((route, RailHistory { steps: steps.len(), loss, rows }))
     }
 
-    /// The steepest place of the flange, between its tip, the lowest point of the wheel, and the tread.
+    /// The steepest place of the flange, between its tip and the tread.
     fn flank(&self) -> Option<Flank> {
         let wheel = self.setup.wheel();
         let points: Vec<[f64; 2]> = wheel.nodes().iter().map(|&along| wheel.point(along)).collect();
-        let tip = points.iter().max_by(|one, other| one[1].total_cmp(&other[1]))?;
+        let tip = flange::tip(wheel)?;
         let mut flange: Vec<&[f64; 2]> =
             points.iter().filter(|point| point[0] > tip[0] && point[0] <= 0.0).collect();
         flange.sort_by(|one, other| one[0].total_cmp(&other[0]));
@@ -217,7 +217,7 @@ impl Prepared {
 
     /// Whether a limit asks for the conicity after each step.
     fn weaves(&self) -> bool {
-        self.limits.iter().any(|limit| limit.column == limits::CONICITY)
+        self.limits.iter().any(|limit| limit.column == CONICITY)
     }
 
     /// The wheelset and its route.
