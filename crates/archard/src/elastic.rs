@@ -36,7 +36,7 @@ pub struct ElasticBody {
     pub points: Vec<Point>,
     /// Plane sections on which they are wanted.
     pub sections: Vec<Section>,
-    /// The longest element along a free span beside the thickness there; `None` where nothing bends.
+    /// The longest element along a free span over the thickness there; `None` where nothing bends.
     pub slenderness: Option<f64>,
 }
 

@@ -35,7 +35,7 @@ pub struct ElasticForecast {
     pub unknowns: usize,
     /// Number of points inside.
     pub points: usize,
-    /// The longest element along a free span beside the thickness there; `None` where nothing bends.
+    /// The longest element along a free span over the thickness there; `None` where nothing bends.
     pub slenderness: Option<f64>,
     /// Memory (bytes).
     pub memory: f64,

@@ -20,7 +20,7 @@ pub struct FiniteCase {
     pub interpolation: Interpolation,
     /// Relative error allowed in the integrals over elements.
     pub tolerance: f64,
-    /// What tells how the body deforms.
+    /// How the body deforms.
     pub elasticity: Elasticity,
     /// Why, where the case does not say so.
     pub(crate) why: Option<&'static str>,
@@ -81,7 +81,7 @@ impl FiniteCase {
         Some(mesh.listed(&zone))
     }
 
-    /// The longest element of its mesh along a free span beside the thickness there; `None` where nothing bends.
+    /// The longest element of its mesh along a free span over the thickness there; `None` where nothing bends.
     ///
     /// # Errors
     /// As [`FiniteCase::meshed`].

@@ -288,7 +288,7 @@ pub fn image(missed: f64) -> Line {
     Line::new("image", missed, Bound::AtMost([0.01, 0.1]), text)
 }
 
-/// The longest element along a free span beside the thickness that bends there.
+/// The longest element along a free span over the thickness that bends there.
 ///
 /// Tips of cantilevers under end shear were 0.2 to 1.7 % off up to 0.83, 3 to 5 % at 1, 11 to 14 % at 1.25, 35 % at
 /// 1.5 and worse beyond. It is never wrong by itself: walls of hollow sections bear longer ones.

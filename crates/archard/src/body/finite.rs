@@ -19,7 +19,7 @@ pub struct Finite {
     pub interpolation: Interpolation,
     /// Relative error allowed in the integrals over elements.
     pub tolerance: f64,
-    /// What tells how the body deforms.
+    /// How the body deforms.
     pub elasticity: Elasticity,
 }
 

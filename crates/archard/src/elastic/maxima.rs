@@ -11,7 +11,7 @@ use super::edge::{AtEdge, edges};
 use crate::compliance::half_space::inside::Below;
 use crate::stress::{Components, MEASURES};
 
-/// Ratio of depths that are looked at, from the largest of which a maximum is sought. A choice of effort.
+/// Ratio of two depths that follow each other: a maximum is sought from the largest stress at any. A choice of effort.
 const RATIO: f64 = 1.25;
 /// How closely a maximum is placed, relative to the size of an element; its value follows with the square of that. A choice of effort.
 const CLOSE: f64 = 1.0 / 32.0;

@@ -81,7 +81,7 @@ pub(super) const TOLERANCE: Parameter =
     Parameter::optional("tolerance", Quantity::Number, "relative error allowed in the wear depth")
         .bound(Bound::Between(0.0, 1.0));
 
-/// Increments of a cycle, each of which is kept, and of a sweep.
+/// Increments of a cycle, each kept, and of a sweep.
 pub(super) const MOST_INCREMENTS: f64 = 1e5;
 /// The bound of `increments`.
 pub(super) const INCREMENTS: Bound = Bound::UpTo(0.0, MOST_INCREMENTS);

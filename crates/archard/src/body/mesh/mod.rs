@@ -120,7 +120,7 @@ pub trait Shape: Debug + Send + Sync {
     /// A number of elements that the mesh has at least, known without making it.
     fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize;
 
-    /// The longest element along a free span beside the thickness that bends there; `None` where nothing bends.
+    /// The longest element along a free span over the thickness that bends there; `None` where nothing bends.
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
 
     /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that centre and size (m), or on one

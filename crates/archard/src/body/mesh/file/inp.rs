@@ -16,7 +16,7 @@ const TETRAHEDRA: [&str; 2] = ["C3D4", "C3D10"];
 const VOLUME: &str = "C3D";
 /// Elements of shells, membranes and plane bodies, behind which stand their nodes: those with three or six are triangles.
 const SURFACES: [&str; 6] = ["S", "STRI", "M3D", "SFM3D", "CPS", "CPE"];
-/// What makes or moves nodes and elements, none of which is done here.
+/// Keywords that make or move nodes and elements: they are refused.
 const MADE: [&str; 9] =
     ["INCLUDE", "SYSTEM", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "IMPORT"];
 
