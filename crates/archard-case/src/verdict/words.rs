@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 40] = [
+const GOOD: [(&str, &str, Number); 41] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -57,6 +57,7 @@ const GOOD: [(&str, &str, Number); 40] = [
     ("image", "image field known to {}", Number::Share),
     ("shakedown", "largest pressure {} of the shakedown limit", Number::Share),
     ("history", "points of the route lose {} of the history", Number::Share),
+    ("mesh", "displacements known to {} with these tetrahedra", Number::Share),
 ];
 
 /// The place of a subject among all.

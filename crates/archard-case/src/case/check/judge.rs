@@ -8,7 +8,6 @@ use super::{
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::verdict::{self, EDGES, Line, Word};
-use archard::body::Elasticity;
 use archard::estimate::Contact;
 use archard::motion::Stepping;
 use archard::problem;
@@ -245,7 +244,7 @@ fn ends_there(parts: &Parts<'_>, axis: usize) -> bool {
     parts.bodies.iter().all(|body| {
         let Some(finite) = &body.finite else { return false };
         let mut vertices = finite.meshed.mesh.vertices.iter();
-        finite.elasticity == Elasticity::BoundaryElements
+        finite.elasticity.is_own()
             && !finite.meshed.placed
             && vertices.all(|vertex| vertex[axis].abs() <= half * (1.0 + 1e-9))
     })
@@ -277,7 +276,7 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     for body in &parts.bodies {
         let curvatures = body.curvatures()?;
         let finite = body.finite.as_ref();
-        if finite.is_some_and(|finite| finite.elasticity == Elasticity::BoundaryElements) {
+        if finite.is_some_and(|finite| finite.elasticity.is_own()) {
             continue;
         }
         for (axis, name) in ["x", "y"].into_iter().enumerate() {

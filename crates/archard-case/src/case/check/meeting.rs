@@ -104,6 +104,7 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
         }
         ContactError::NoZone { body }
         | ContactError::HasImage { body }
+        | ContactError::Hollow { body }
         | ContactError::Singular { body, .. } => {
             Problem::error(key(&bodies[body], "mesh"), message).at_name()
         }

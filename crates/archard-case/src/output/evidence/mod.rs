@@ -11,6 +11,7 @@ mod work;
 use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Accuracy, Verdict};
+use archard::body::{Body, Elasticity};
 use archard::estimate::Subject;
 use archard::motion::{Control, Stepping};
 use archard::problem::ContactProblem;
@@ -35,6 +36,8 @@ pub(super) struct Evidence {
     balance: Option<[f64; 2]>,
     /// By how much compliances that are approximated miss displacements, relative to the largest.
     missed: Option<f64>,
+    /// The same of bodies that bear the contact on their own tetrahedra.
+    carried: Option<f64>,
     /// Elements across the contact at the first output that bears a load.
     first: Option<f64>,
     /// Sizes (m) of the elements that the run went through, and how many lay across the contact when it was largest there.
@@ -71,7 +74,16 @@ impl Evidence {
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
         if report.output {
-            worst(&mut self.missed, problem.compliance.missed(&state.tractions()));
+            let carries = |body: &Body| {
+                body.finite
+                    .as_ref()
+                    .is_some_and(|finite| finite.elasticity == Elasticity::FiniteElements)
+            };
+            let known = match problem.bodies.iter().any(carries) {
+                true => &mut self.carried,
+                false => &mut self.missed,
+            };
+            worst(known, problem.compliance.missed(&state.tractions()));
         }
         // Frames grow.
         let border = match self.border.take() {
@@ -154,6 +166,7 @@ impl Evidence {
             self.roughness.map(verdict::roughness),
             self.peclet.map(verdict::heat),
             self.missed.map(verdict::image),
+            self.carried.map(verdict::mesh),
         ];
         let balance = balance.into_iter().flatten();
         let lines = lines.into_iter().flatten().chain(balance);

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
+use super::super::element::evaluate;
 use super::normals::Normals;
 use super::outline::outlines;
 use super::{super::surface::Surface, along};
-use crate::body::{Body, Finite, Interpolation};
+use crate::body::{Body, Elasticity, Finite, Interpolation};
+use crate::compliance::fem::{OnNodes, places};
 use crate::frame::Pairs;
 use crate::numerics::SAME;
 
@@ -19,6 +21,9 @@ pub(super) struct Host<'a> {
     pub which: usize,
     /// The axes of the frame in the coordinates of the body.
     pub axes: [DVec3; 3],
+    /// Places (m) and areas (m^2) of the nodes of tractions.
+    places: Vec<DVec3>,
+    areas: Vec<f64>,
     /// Nodes of tractions in the zone and their bases {t1, t2, n} in the coordinates of the body.
     pub contact: Vec<(usize, [DVec3; 3])>,
     /// Whether the zone is plane, so that the frame's axes serve everywhere.
@@ -41,7 +46,14 @@ impl<'a> Host<'a> {
         let first = which == 0;
         let sign = if first { 1.0 } else { -1.0 };
         let normals = Normals::new(finite, &surface);
-        let at_nodes = normals.at_nodes(finite, &surface);
+        let Means { places, normals: at_nodes, areas } = match finite.elasticity {
+            Elasticity::FiniteElements => Means::new(finite, &surface, &normals),
+            _ => Means {
+                places: surface.tractions.iter().map(|node| node.place).collect(),
+                normals: normals.at_nodes(finite, &surface),
+                areas: surface.tractions.iter().map(|node| node.area).collect(),
+            },
+        };
         let normal = |traction: usize| sign * at_nodes[traction];
         let axes = axes(finite, sign, &surface, &nodes);
         let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < SAME);
@@ -62,7 +74,19 @@ impl<'a> Host<'a> {
             [t1, t2, n]
         };
         let contact = nodes.into_iter().map(|node| (node, basis(node))).collect();
-        Some(Self { finite, surface, first, which, axes, contact, plane, elements, normals })
+        Some(Self {
+            finite,
+            surface,
+            first,
+            which,
+            axes,
+            places,
+            areas,
+            contact,
+            plane,
+            elements,
+            normals,
+        })
     }
 
     /// How far the smooth surface rises (m) above a place on an element of the zone, by its index there.
@@ -74,9 +98,18 @@ impl<'a> Host<'a> {
         self.normals.rise(index, &self.surface.patches[face], at)
     }
 
+    /// The outward normal of the smooth surface at a place on an element of the zone, by its index there.
+    pub fn outward(&self, index: usize, at: [f64; 2]) -> DVec3 {
+        let face = self.finite.meshed.zone.faces[index];
+        self.in_frame(self.normals.at(index, &self.surface.patches[face], at))
+    }
+
     /// The same at the pairs.
     fn rises(&self) -> Vec<f64> {
         let mut rises = vec![0.0; self.surface.tractions.len()];
+        if self.finite.elasticity == Elasticity::FiniteElements {
+            return vec![0.0; self.contact.len()];
+        }
         for (index, &face) in self.finite.meshed.zone.faces.iter().enumerate() {
             let nodes = self.surface.patches[face].element.nodes;
             for (node, at) in self.surface.tractions_of(face).zip(nodes) {
@@ -95,9 +128,36 @@ impl<'a> Host<'a> {
         pair_of
     }
 
+    /// Where the pairs act on the nodes inside the body, by the functions of its elements; `None` of what has no inside.
+    pub fn bearing(&self) -> Option<Vec<OnNodes>> {
+        let volume = self.finite.meshed.volume.as_ref()?;
+        let pair_of = self.pair_of();
+        let mut pairs: Vec<OnNodes> =
+            self.contact.iter().map(|(_, basis)| OnNodes::along(*basis)).collect();
+        let rule = places();
+        let sign = if self.first { 1.0 } else { -1.0 };
+        for (index, &face) in self.finite.meshed.zone.faces.iter().enumerate() {
+            let patch = &self.surface.patches[face];
+            let area = 0.5 * patch.area_vector([0.0; 2]).length();
+            for &(at, weight) in &rule {
+                let normal = sign * self.normals.at(index, patch, at);
+                for (node, shape) in self.surface.tractions_of(face).zip(patch.element.shape) {
+                    let share = area * weight * evaluate(shape, at);
+                    pairs[pair_of[node]?].add((volume, face), at, (share, normal));
+                }
+            }
+        }
+        Some(pairs.into_iter().map(OnNodes::gathered).collect())
+    }
+
+    /// The area (m^2) of a pair, mirror images left out.
+    pub fn area(&self, pair: usize) -> f64 {
+        self.areas[self.contact[pair].0]
+    }
+
     /// The place of a contact node in the axes of the frame (m).
     pub fn place(&self, pair: usize) -> DVec3 {
-        self.in_frame(self.surface.tractions[self.contact[pair].0].place)
+        self.in_frame(self.places[self.contact[pair].0])
     }
 
     /// A vector in the axes of the frame.
@@ -129,9 +189,7 @@ impl<'a> Host<'a> {
         let areas = self.contact.iter();
         Pairs {
             places: (0..count).map(|pair| self.place(pair).to_array()).collect(),
-            areas: areas
-                .map(|(node, _)| self.images() * self.surface.tractions[*node].area)
-                .collect(),
+            areas: areas.map(|(node, _)| self.images() * self.areas[*node]).collect(),
             bases,
             gap: (0..count).map(|pair| height(pair) * self.closing(pair) - rises[pair]).collect(),
             outlines: outlines(self),
@@ -139,6 +197,45 @@ impl<'a> Host<'a> {
             mirrored: self.surface.mirrored,
             closed: false,
         }
+    }
+}
+
+/// What the nodes of tractions are on the smooth surface.
+///
+/// Where elements bear the contact, a node meets it in the mean by its function, and its pressure acts along the normals of the surface
+/// all around. Its area and its normal are the vector that this adds up to: taken at the node itself, normals would be off by what the
+/// mean lies beside it, and pressures would alternate however small the elements are.
+struct Means {
+    places: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    areas: Vec<f64>,
+}
+
+impl Means {
+    fn new(finite: &Finite, surface: &Surface, normals: &Normals) -> Self {
+        let zero = vec![DVec3::ZERO; surface.tractions.len()];
+        let (mut places, mut vectors, mut weights) =
+            (zero.clone(), zero, vec![0.0; surface.tractions.len()]);
+        let rule = crate::compliance::fem::places();
+        for (index, &face) in finite.meshed.zone.faces.iter().enumerate() {
+            let patch = &surface.patches[face];
+            let area = 0.5 * patch.area_vector([0.0; 2]).length();
+            for &(at, weight) in &rule {
+                let normal = normals.at(index, patch, at);
+                let place = patch.at(at) + normals.rise(index, patch, at) * normal;
+                for (node, shape) in surface.tractions_of(face).zip(patch.element.shape) {
+                    let share = weight * area * evaluate(shape, at);
+                    weights[node] += share;
+                    places[node] += share * place;
+                    vectors[node] += share * normal;
+                }
+            }
+        }
+        let there = places.iter_mut().zip(weights).filter(|(_, weight)| *weight > 0.0);
+        there.for_each(|(place, weight)| *place /= weight);
+        let areas = vectors.iter().map(|vector| vector.length()).collect();
+        vectors.iter_mut().for_each(|vector| *vector = vector.normalize_or_zero());
+        Self { places, normals: vectors, areas }
     }
 }
 

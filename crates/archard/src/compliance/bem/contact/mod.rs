@@ -13,6 +13,8 @@ mod outline;
 mod project;
 mod transfer;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::conditions::{Conditions, Undetermined};
@@ -20,7 +22,7 @@ use super::solid::Condensed;
 use super::surface::Surface;
 use super::{Assembled, Condition, Given, Stage, Told, TractionNode, advice};
 use crate::body::{Body, Finite, Material, Support};
-use crate::compliance::Dense;
+use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
 use crate::numerics::dense::Unsolved;
 use crate::numerics::large::NoMemory;
@@ -29,7 +31,7 @@ pub use meeting::Meeting;
 
 /// The cosine of 30 degrees. Normals that turn by more belong to two surfaces that meet in an edge, and to a zone for which no
 /// half-space stands and whose pairs meet along their own normals.
-const STEEP: f64 = 0.866_025_403_784_438_6;
+pub(crate) const STEEP: f64 = 0.866_025_403_784_438_6;
 
 /// Why meshed bodies cannot be brought into contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -92,6 +94,15 @@ pub enum ContactError {
         /// The body's index, 0 or 1.
         body: usize,
     },
+    /// A body of which nobody knows what is inside.
+    #[error(
+        "body {} has no tetrahedra inside, which finite elements take; take `Elasticity::BoundaryElements`",
+        .body + 1
+    )]
+    Hollow {
+        /// The body's index, 0 or 1.
+        body: usize,
+    },
     /// A frame that reaches beyond the flat face of a body.
     #[error("the frame reaches beyond the flat face of a body of finite shape: make it smaller")]
     BesideTheFace,
@@ -121,7 +132,7 @@ pub struct Contact {
     /// The pairs.
     pub frame: ContactFrame,
     /// Both bodies.
-    pub compliance: Dense,
+    pub compliance: Arc<dyn Compliance>,
 }
 
 /// What condenses a meshed body to its contact nodes, or remembers having done so.

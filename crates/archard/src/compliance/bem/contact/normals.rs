@@ -9,7 +9,8 @@
 //! rise = 1/2 sum over c of w_c (p_c - place) . n_c
 //! ```
 //!
-//! which on arcs and spheres is their height above the chord. With the elements themselves an approach would open
+//! which on arcs and spheres is their height above the chord; where a file has nodes on its edges, as much as the surface through these
+//! does. With the elements themselves an approach would open
 //! and close the gaps of a conforming contact in steps, and gaps would depend on which corners face each other.
 
 use glam::DVec3;
@@ -19,10 +20,13 @@ use super::super::patch::Patch;
 use super::super::surface::Surface;
 use super::STEEP;
 use crate::body::Finite;
+use crate::numerics::WRITTEN;
 
 /// The outward normals of a zone at the corners of its elements.
 pub(super) struct Normals {
     corners: Vec<Vec<DVec3>>,
+    /// How far the nodes on the edges of each triangle lie off their middles (m), where they do anywhere.
+    edges: Option<Vec<[DVec3; 3]>>,
 }
 
 impl Normals {
@@ -37,7 +41,22 @@ impl Normals {
             };
             surface.corners[face].as_slice().iter().map(smooth).collect()
         };
-        Self { corners: finite.meshed.zone.faces.iter().map(of).collect() }
+        let zone = &finite.meshed.zone.faces;
+        Self { corners: zone.iter().map(of).collect(), edges: edges(finite) }
+    }
+
+    /// The outward normal at a place on an element, by its index in the zone.
+    pub fn at(&self, index: usize, patch: &Patch, at: [f64; 2]) -> DVec3 {
+        if let Some(edges) = &self.edges {
+            let ([s, t], [a, b, c]) = (at, edges[index]);
+            let rest = 1.0 - s - t;
+            let [along_s, along_t] = patch.tangents(at);
+            let along_s = along_s + 4.0 * ((rest - s) * a + t * b - t * c);
+            let along_t = along_t + 4.0 * ((rest - t) * c + s * b - s * a);
+            return along_s.cross(along_t).normalize();
+        }
+        let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
+        shares.zip(&self.corners[index]).map(|(share, n)| share * *n).sum::<DVec3>().normalize()
     }
 
     /// Normals at the nodes of tractions; zero away from the zone.
@@ -56,12 +75,32 @@ impl Normals {
 
     /// How far the surface rises (m) above a place on an element, by its index in the zone.
     pub fn rise(&self, index: usize, patch: &Patch, at: [f64; 2]) -> f64 {
+        if let Some(edges) = &self.edges {
+            let [s, t] = at;
+            let shares = [(1.0 - s - t) * s, s * t, t * (1.0 - s - t)];
+            let above = shares.iter().zip(&edges[index]).map(|(share, off)| 4.0 * share * *off);
+            return above.sum::<DVec3>().dot(self.at(index, patch, at));
+        }
         let place = patch.at(at);
         let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
         let corners = patch.corners.iter().zip(&self.corners[index]);
         let above = corners.map(|(corner, normal)| (*corner - place).dot(*normal));
         0.5 * shares.zip(above).map(|(share, above)| share * above).sum::<f64>()
     }
+}
+
+/// How far nodes on the edges of the zone lie off the middles (m); `None` where there are none, or none lies off.
+fn edges(finite: &Finite) -> Option<Vec<[DVec3; 3]>> {
+    let volume = finite.meshed.volume.as_ref()?;
+    let at = |node: usize| DVec3::from(volume.nodes[node]);
+    let off = |nodes: &[usize; 6]| {
+        [0, 1, 2]
+            .map(|edge| at(nodes[3 + edge]) - 0.5 * (at(nodes[edge]) + at(nodes[(edge + 1) % 3])))
+    };
+    let edges: Vec<_> =
+        finite.meshed.zone.faces.iter().map(|face| off(&volume.faces[*face])).collect();
+    let least = WRITTEN * finite.meshed.mesh.extent();
+    edges.iter().flatten().any(|off| off.length() > least).then_some(edges)
 }
 
 /// Normals of the elements around each vertex with their weights, mirror images among them.
