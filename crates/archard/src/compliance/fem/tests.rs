@@ -152,7 +152,8 @@ fn a_block_that_bears_its_contact_is_pressed_as_a_rod() {
     for own in displaced {
         assert!((own * modulus / SIZE[2] - 1.0).abs() < 1e-9, "{own}");
     }
-    let even = VectorField { n: vec![1.0; frame.len()], ..VectorField::zeros(frame.len()) };
+    // Tractions on body 1, whose normal the pressure acts against.
+    let even = VectorField { n: vec![-1.0; frame.len()], ..VectorField::zeros(frame.len()) };
     assert!(compliance.missed(&even).unwrap() < 1e-6);
     let meeting = Meeting::of(bodies.each_ref()).unwrap();
     let (_, inside) = meeting.inside(0, &even).unwrap().unwrap();

@@ -19,7 +19,7 @@ use super::super::patch::Patch;
 use super::ContactError;
 use super::STEEP;
 use super::host::Host;
-use super::project::{Hit, project};
+use super::project::{Hit, project, project_beside};
 use crate::body::Elasticity;
 use crate::compliance::fem::OnNodes;
 
@@ -82,22 +82,26 @@ impl Transfer {
         for (index, (patch, pairs)) in own.iter().zip(&own_pairs).enumerate() {
             for (at, weight) in points(patch, &line) {
                 let vector = patch.area_vector(at);
-                let direction = if steep { vector.normalize() } else { DVec3::Z };
+                let direction = match (mean, steep) {
+                    (true, _) => host.outward(index, at),
+                    (false, true) => vector.normalize(),
+                    (false, false) => DVec3::Z,
+                };
                 let place = patch.at(at);
-                let Some(Hit { patch: hit, at: there, distance }) =
-                    project(place, direction, &patches)
-                else {
+                let found = match mean {
+                    true => project_beside(place, direction, &patches),
+                    false => project(place, direction, &patches),
+                };
+                let Some(Hit { patch: hit, at: there, distance }) = found else {
                     return Err(off(place));
                 };
                 let normal = match volume.is_some() || mean {
                     true => sign * host.outward(index, at),
                     false => DVec3::Z,
                 };
-                let distance = if mean {
-                    let distance = distance * direction.dot(host.outward(index, at));
-                    distance - other.rise(hit, there) - host.rise(index, at)
-                } else {
-                    0.0
+                let distance = match mean {
+                    true => distance - other.rise(hit, there) - host.rise(index, at),
+                    false => 0.0,
                 };
                 let area = weight * vector.length();
                 for (pair, polynomial) in pairs.iter().zip(patch.element.shape) {
