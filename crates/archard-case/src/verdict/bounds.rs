@@ -291,8 +291,8 @@ pub fn image(missed: f64) -> Line {
 /// What cubic functions would add to the displacements of bodies that bear the contact on their own tetrahedra, relative to the largest
 /// displacement of the contact, or to what bends there if that is more.
 ///
-/// Loads and means of pressures of a ball in a socket were off by less on meshes of three densities
-/// (`a_ball_in_a_socket_is_that_of_revolution`). The bounds are those of image fields.
+/// Loads of a ball in a socket were off by about this on meshes of three densities
+/// (`a_ball_in_a_socket_is_that_of_revolution`), by up to twice as much. The bounds are those of image fields.
 pub fn mesh(missed: f64) -> Line {
     let text = "of the displacements are uncertain, by the tetrahedra that bear the contact: mesh the bodies finer where they touch, and towards edges of what is held";
     Line::new("mesh", missed, Bound::AtMost([0.01, 0.1]), text)

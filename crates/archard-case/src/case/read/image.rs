@@ -20,19 +20,10 @@ pub(super) fn chosen(finite: FiniteCase, framed: bool) -> FiniteCase {
     let with = FiniteCase { elasticity: Elasticity::Image, why: Some(FLAT), ..finite.clone() };
     match against(&finite, &with, framed) {
         None => with,
-        why => inside(&finite, framed).unwrap_or(FiniteCase { why, ..finite }),
+        why => FiniteCase { why, ..finite },
     }
 }
 
-/// The same by finite elements, where its file says what is inside, and where it touches.
-fn inside(finite: &FiniteCase, framed: bool) -> Option<FiniteCase> {
-    let elasticity = Elasticity::FiniteElements;
-    let inside = FiniteCase { elasticity, why: Some(INSIDE), ..finite.clone() };
-    let touches = inside.meshed().is_ok_and(|meshed| !meshed.zone.faces.is_empty());
-    (touches && !framed).then_some(inside)
-}
-
-const INSIDE: &str = "its file has tetrahedra, and says where it touches";
 const FLAT: &str = "it touches with a flat face, away from its edges";
 
 /// What speaks against an image field.

@@ -35,7 +35,9 @@ pub(super) struct Host<'a> {
 
 impl<'a> Host<'a> {
     /// The zone of a meshed body; `None` where it has none.
-    pub fn new(body: &'a Body, which: usize) -> Option<Self> {
+    ///
+    /// The axes are those of the frame in its coordinates, where another body in the same coordinates gives them.
+    pub fn new(body: &'a Body, which: usize, given: Option<[DVec3; 3]>) -> Option<Self> {
         let finite = body.finite.as_ref()?;
         let zone = &finite.meshed.zone;
         if zone.faces.is_empty() {
@@ -55,7 +57,8 @@ impl<'a> Host<'a> {
             },
         };
         let normal = |traction: usize| sign * at_nodes[traction];
-        let axes = axes(finite, sign, &surface, &nodes);
+        let axes = given.filter(|_| finite.meshed.placed);
+        let axes = axes.unwrap_or_else(|| self::axes(finite, sign, &surface));
         let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < SAME);
         let basis = |traction: usize| {
             if plane {
@@ -276,19 +279,17 @@ fn nodes_of(finite: &Finite, surface: &Surface) -> (Vec<usize>, Option<[usize; 2
 }
 
 /// The axes of the frame in the coordinates of the body: n is the outward normal of body 1.
-fn axes(finite: &Finite, sign: f64, surface: &Surface, nodes: &[usize]) -> [DVec3; 3] {
+fn axes(finite: &Finite, sign: f64, surface: &Surface) -> [DVec3; 3] {
     if !finite.meshed.placed {
         // The zone lies on top; body 2 is turned over, x and y as they are.
         return [DVec3::X, DVec3::Y, sign * DVec3::Z];
     }
-    let weighed = |node: &usize| {
-        let traction = &surface.tractions[*node];
-        traction.area * traction.normal
-    };
+    let faces = &finite.meshed.zone.faces;
+    let weighed = |face: &usize| DVec3::from(finite.meshed.mesh.area_vector(*face));
     let mean: DVec3 = surface
         .images()
         .iter()
-        .map(|image| *image * nodes.iter().map(weighed).sum::<DVec3>())
+        .map(|image| *image * faces.iter().map(weighed).sum::<DVec3>())
         .sum();
     crate::body::mesh::axes(sign * mean)
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use faer::Mat;
+use glam::DVec3;
 
 use super::super::solid::Condensed;
 use super::super::{Conditions, Surface, Told};
@@ -42,12 +43,14 @@ impl<'a> Meeting<'a> {
             return Err(ContactError::HasImage { body });
         }
         let which = bears_the_pairs(bodies);
-        let host = Side::new(bodies[which], which)?;
+        let host = Side::new(bodies[which], which, None)?;
         let mut pairs = host.host.pairs();
         let opposite = match &bodies[1 - which].finite {
             None => None,
             Some(_) => {
-                let mut opposite = Side::new(bodies[1 - which], 1 - which)?;
+                // Files have the same axes.
+                let placed = host.host.finite.meshed.placed.then_some(host.host.axes);
+                let mut opposite = Side::new(bodies[1 - which], 1 - which, placed)?;
                 if opposite.host.surface.mirrored != host.host.surface.mirrored {
                     return Err(ContactError::Symmetry);
                 }
@@ -189,8 +192,8 @@ impl<'a> Meeting<'a> {
 }
 
 impl<'a> Side<'a> {
-    fn new(body: &'a Body, which: usize) -> Result<Self, ContactError> {
-        let (Some(finite), Some(host)) = (&body.finite, Host::new(body, which)) else {
+    fn new(body: &'a Body, which: usize, axes: Option<[DVec3; 3]>) -> Result<Self, ContactError> {
+        let (Some(finite), Some(host)) = (&body.finite, Host::new(body, which, axes)) else {
             return Err(ContactError::NoZone { body: which });
         };
         if finite.elasticity == Elasticity::HalfSpace || body.material.is_none() {

@@ -13,7 +13,7 @@
 //! does. With the elements themselves an approach would open
 //! and close the gaps of a conforming contact in steps, and gaps would depend on which corners face each other.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::super::element::evaluate;
 use super::super::patch::Patch;
@@ -48,12 +48,7 @@ impl Normals {
     /// The outward normal at a place on an element, by its index in the zone.
     pub fn at(&self, index: usize, patch: &Patch, at: [f64; 2]) -> DVec3 {
         if let Some(edges) = &self.edges {
-            let ([s, t], [a, b, c]) = (at, edges[index]);
-            let rest = 1.0 - s - t;
-            let [along_s, along_t] = patch.tangents(at);
-            let along_s = along_s + 4.0 * ((rest - s) * a + t * b - t * c);
-            let along_t = along_t + 4.0 * ((rest - t) * c + s * b - s * a);
-            return along_s.cross(along_t).normalize();
+            return above(patch, edges[index], at)[1];
         }
         let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
         shares.zip(&self.corners[index]).map(|(share, n)| share * *n).sum::<DVec3>().normalize()
@@ -76,10 +71,8 @@ impl Normals {
     /// How far the surface rises (m) above a place on an element, by its index in the zone.
     pub fn rise(&self, index: usize, patch: &Patch, at: [f64; 2]) -> f64 {
         if let Some(edges) = &self.edges {
-            let [s, t] = at;
-            let shares = [(1.0 - s - t) * s, s * t, t * (1.0 - s - t)];
-            let above = shares.iter().zip(&edges[index]).map(|(share, off)| 4.0 * share * *off);
-            return above.sum::<DVec3>().dot(self.at(index, patch, at));
+            let [place, normal] = above(patch, edges[index], at);
+            return (place - patch.at(at)).dot(normal);
         }
         let place = patch.at(at);
         let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
@@ -87,6 +80,34 @@ impl Normals {
         let above = corners.map(|(corner, normal)| (*corner - place).dot(*normal));
         0.5 * shares.zip(above).map(|(share, above)| share * above).sum::<f64>()
     }
+}
+
+/// The place (m) straight above one of a triangle, and the outward normal there, on the surface through nodes that lie off the middles of
+/// its edges. A surface that is known by other coordinates than the triangle's is followed along its tangents.
+fn above(patch: &Patch, [a, b, c]: [DVec3; 3], at: [f64; 2]) -> [DVec3; 2] {
+    /// Each time what is left falls with its square.
+    const STEPS: usize = 3;
+    let below = patch.at(at);
+    let mut own = at;
+    let mut found = [below, DVec3::Z];
+    for _ in 0..STEPS {
+        let [s, t] = own;
+        let rest = 1.0 - s - t;
+        let [along_s, along_t] = patch.tangents(own);
+        let along_s = along_s + 4.0 * ((rest - s) * a + t * b - t * c);
+        let along_t = along_t + 4.0 * ((rest - t) * c + s * b - s * a);
+        let place = patch.at(own) + 4.0 * (rest * s * a + s * t * b + t * rest * c);
+        let normal = along_s.cross(along_t).normalize();
+        found = [place, normal];
+        let off = below - place;
+        let axes = DMat3::from_cols(along_s, along_t, normal);
+        let step = axes.inverse() * off;
+        if !step.is_finite() {
+            break;
+        }
+        own = [s + step.x, t + step.y];
+    }
+    found
 }
 
 /// How far nodes on the edges of the zone lie off the middles (m); `None` where there are none, or none lies off.
