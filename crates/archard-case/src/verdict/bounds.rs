@@ -337,6 +337,17 @@ pub fn stated(error: f64, column: &str) -> Line {
 /// How large a stated error may be.
 const STATED: Bound = Bound::AtMost([0.05, 1.0]);
 
+/// A gear that is deepest where the contact ends at a tip, nearer than half of its width.
+///
+/// What of the width lies beyond the tip bears nothing, and the edge of the tip bears more than Hertz's pressure: depths there are those of
+/// a flank that went on.
+pub fn tip(gears: &str) -> Line {
+    let text = format!(
+        "`{gears}`: deepest within a half-width from where the contact ends at a tip, whose edge is not computed: read depths farther in, or relieve the tips by a table of `share`"
+    );
+    Line::new("tip", 1.0, Bound::AtMost([0.0, f64::INFINITY]), text)
+}
+
 /// The largest stated error of what was measured or is compared, relative, and what it is of.
 pub fn measured(error: f64, what: &str) -> Line {
     Line::new("stated", error, STATED, format!("is the stated error of the {what}"))

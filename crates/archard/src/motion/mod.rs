@@ -2,6 +2,7 @@
 //!
 //! A new motion is one file here and one line in [`MOTIONS`].
 
+mod axes;
 mod columns;
 mod creepage_sweep;
 mod drives;
@@ -17,6 +18,7 @@ mod similar;
 mod sliding;
 mod table;
 
+pub use axes::Axis;
 pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
@@ -29,6 +31,7 @@ pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
 pub use table::{Row, Table};
 
+use crate::body::Body;
 use crate::frame::{Direction, Rectangle};
 use crate::parameters::Choice;
 use schedule::{
@@ -291,6 +294,19 @@ impl Motion {
             (Slip::Sought(drives), Sequence::Steady) => Some(*drives),
             (Slip::Sought(drives), Sequence::Raised) => Some(drives.raised(progress)),
             _ => None,
+        }
+    }
+
+    /// The same of these bodies: what follows from their axes and shapes is found.
+    #[must_use]
+    pub fn of_bodies(self, bodies: &[Body; 2]) -> Self {
+        let across = 1 - self.direction.axis;
+        let curvature = |body: &Body| body.curvatures().map(|both| both[across]);
+        match (&self.slip, bodies.each_ref().map(curvature)) {
+            (Slip::Sought(drives), [Some(one), Some(two)]) => {
+                Self { slip: Slip::Sought(drives.about_axes([one, two])), ..self }
+            }
+            _ => self,
         }
     }
 

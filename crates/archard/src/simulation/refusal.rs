@@ -131,6 +131,15 @@ pub fn of_laws(
     friction: Option<&dyn Friction>,
     motion: &Motion,
 ) -> Vec<Refusal> {
+    let about_axes = matches!(&motion.slip, Slip::Sought(drives) if drives.axes.is_some());
+    let unshaped = bodies.iter().find(|body| about_axes && body.curvatures().is_none());
+    let unshaped = unshaped.map(|body| {
+        let what = format!(
+            "how bodies creep about their axes follows from their curvatures, and the shape of `{}` has none",
+            body.name
+        );
+        Refusal::new(Part::Motion, what, "give the spin in place of the axes")
+    });
     let of_friction = friction.and_then(|law| {
         let known = Known { bodies, friction: true, motion };
         law.inputs().iter().find_map(|input| match input {
@@ -145,7 +154,7 @@ pub fn of_laws(
     let of_wear = bodies
         .iter()
         .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
-    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).collect()
+    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).chain(unshaped).collect()
 }
 
 /// A body that yields where its surface does not stay opposite the other, or rubs in increments, or is meshed.

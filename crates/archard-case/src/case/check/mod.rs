@@ -65,11 +65,12 @@ impl<'a> Parts<'a> {
     pub(super) fn of(case: &'a Case) -> Result<Self, BuildError> {
         let [first, second] = &case.bodies;
         let (motion, schedule) = case.motion.build()?;
+        let bodies = [first.build(&case.frame)?, second.build(&case.frame)?];
         let mut parts = Self {
             case,
-            bodies: [first.build(&case.frame)?, second.build(&case.frame)?],
             friction: case.friction.as_ref().map(Chosen::build).transpose()?,
-            motion,
+            motion: motion.of_bodies(&bodies),
+            bodies,
             schedule,
         };
         warmed::warm(&mut parts);
