@@ -222,7 +222,7 @@ pub(crate) mod tests {
             let mut gears = type_c();
             change(&mut gears);
             let invalid = Pair::new(gears, distance).expect_err("gears that do not fit");
-            (invalid.cause.parameter.to_string(), invalid.cause.message)
+            (invalid.cause.parameter.to_string(), invalid.cause.message.clone())
         };
         let none = |_: &mut [Gear; 2]| ();
         let because = |(_, message): (String, String), part: &str| {

@@ -20,19 +20,19 @@ pub struct GearError {
     /// The gear whose value is wrong, 0 or 1; `None` where it is one of both.
     pub gear: Option<usize>,
     /// What is wrong.
-    pub cause: Invalid,
+    pub cause: Box<Invalid>,
 }
 
 impl GearError {
     /// Of a value of a gear.
     pub fn of(gear: usize, cause: Invalid) -> Self {
-        Self { gear: Some(gear), cause }
+        Self { gear: Some(gear), cause: Box::new(cause) }
     }
 }
 
 impl From<Invalid> for GearError {
     fn from(cause: Invalid) -> Self {
-        Self { gear: None, cause }
+        Self { gear: None, cause: Box::new(cause) }
     }
 }
 

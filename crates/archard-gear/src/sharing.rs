@@ -58,7 +58,7 @@ impl Sharing {
         let after = |row: &[f64; 2]| if from_below { row[0] >= place } else { row[0] > place };
         let next = rows.iter().position(after).unwrap_or(rows.len());
         match (next.checked_sub(1).map(|before| &rows[before]), rows.get(next)) {
-            (Some([start, low]), Some([end, high])) if end > &start => {
+            (Some([start, low]), Some([end, high])) if *end > *start => {
                 low + (high - low) * (place - start) / (end - start)
             }
             (_, Some([_, share])) | (Some([_, share]), None) => *share,
