@@ -40,6 +40,34 @@ impl GearResults {
         all.map(|station| station.peak_pressure).fold(0.0, f64::max)
     }
 
+    /// The flanks at the end (SI) station by station, by the names of columns.
+    pub fn flanks(&self) -> Vec<Vec<(String, f64)>> {
+        let Self { names, mesh, worn, .. } = self;
+        let row = |(index, (station, new)): (usize, (&Station, Station))| {
+            let diameters = mesh.pair.diameters(station.place);
+            let of = |gear: usize| {
+                let name = &names[gear];
+                [
+                    (format!("diameter_{name}_m"), diameters[gear]),
+                    (format!("slid_{name}_m"), station.slide(gear)),
+                    (format!("wear_depth_{name}_m"), worn.last().depths[gear][index]),
+                    (format!("error_of_wear_depth_{name}_m"), worn.errors[gear][index]),
+                ]
+            };
+            let mut row = vec![
+                ("path_m".to_owned(), station.place),
+                ("new_load_share".to_owned(), new.load / mesh.load),
+                ("load_share".to_owned(), station.load / mesh.load),
+                ("new_peak_pressure_Pa".to_owned(), new.peak_pressure),
+                ("peak_pressure_Pa".to_owned(), station.peak_pressure),
+                ("half_width_m".to_owned(), station.half_width),
+            ];
+            row.extend(of(0).into_iter().chain(of(1)));
+            row
+        };
+        worn.stations.iter().zip(mesh.stations()).enumerate().map(row).collect()
+    }
+
     /// The deepest wear (m) of both gears step by step, by the names of columns.
     pub fn course(&self) -> Vec<Vec<(String, f64)>> {
         let row = |moment: &Moment| {
@@ -91,28 +119,8 @@ pub fn write_gear(
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, FLANKS])?;
     manifest.write(CASE, case_toml.as_bytes())?;
-    let GearResults { names: [one, two], mesh, worn, .. } = results;
     let mut table = Table::create(manifest.claim(FLANKS)?)?;
-    let new = mesh.stations();
-    for (index, (station, before)) in worn.stations.iter().zip(&new).enumerate() {
-        let diameters = mesh.pair.diameters(station.place);
-        let of = |gear: usize, name: &str| {
-            [
-                (format!("diameter_{name}_m"), diameters[gear]),
-                (format!("slid_{name}_m"), station.slide(gear)),
-                (format!("wear_depth_{name}_m"), worn.last().depths[gear][index]),
-                (format!("error_of_wear_depth_{name}_m"), worn.errors[gear][index]),
-            ]
-        };
-        let mut row = vec![
-            ("path_m".to_owned(), station.place),
-            ("new_load_share".to_owned(), before.load / mesh.load),
-            ("load_share".to_owned(), station.load / mesh.load),
-            ("new_peak_pressure_Pa".to_owned(), before.peak_pressure),
-            ("peak_pressure_Pa".to_owned(), station.peak_pressure),
-            ("half_width_m".to_owned(), station.half_width),
-        ];
-        row.extend(of(0, one).into_iter().chain(of(1, two)));
+    for row in results.flanks() {
         table
             .row(&row.iter().map(|(name, value)| (&**name, number(*value))).collect::<Vec<_>>())?;
     }
