@@ -61,6 +61,23 @@ impl Worn {
     }
 }
 
+impl Mesh {
+    /// How far (m) wear displaces the contact on the flanks at most: where they slope against the involutes, the contact lies as far from
+    /// the computed place as both flanks together need to turn, the slope times their radius of curvature against each other.
+    pub fn displaced(&self, worn: &Worn) -> f64 {
+        let nodes = self.nodes();
+        let displaced = |flank: usize, node: usize| {
+            let [here, next] = [node, node + 1].map(|node| nodes[node].place);
+            let [one, two] = self.pair.radii(0.5 * (here + next));
+            let along = [one, two][flank] / self.pair.gears[flank].base_radius() * (next - here);
+            let depths = &worn.last().depths[flank];
+            (depths[node + 1] - depths[node]).abs() / along * one * two / self.pair.length
+        };
+        let inner = Self::parts(&nodes).flat_map(|part| part.start..part.end - 1);
+        inner.flat_map(|node| [displaced(0, node), displaced(1, node)]).fold(0.0, f64::max)
+    }
+}
+
 /// Depths of both flanks, node by node.
 type Depths = [Vec<f64>; 2];
 

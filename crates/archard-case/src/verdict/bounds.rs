@@ -337,6 +337,13 @@ pub fn stated(error: f64, column: &str) -> Line {
 /// How large a stated error may be.
 const STATED: Bound = Bound::AtMost([0.05, 1.0]);
 
+/// How far wear displaces the contact of two flanks, over the pitch along the path: loads and sliding are those of the involutes. A
+/// tenth is a choice; a pitch away the pair of teeth does not touch.
+pub fn flanks(share: f64) -> Line {
+    let text = "of the pitch is how far worn flanks displace their contact: they are no involutes any more, and shares and sliding are not those computed";
+    Line::new("flanks", share, Bound::AtMost([0.1, 1.0]), text)
+}
+
 /// A gear that is deepest where the contact ends at a tip, nearer than half of its width.
 ///
 /// What of the width lies beyond the tip bears nothing, and the edge of the tip bears more than Hertz's pressure: depths there are those of
