@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
+use crate::verdict;
 use archard::body::Body;
 use archard::elastic::{Maxima, Maximum, Pressed};
 use archard::stress::{Components, MEASURES, TABOR};
@@ -24,9 +25,12 @@ pub struct WantedStresses {
     pub strength: Option<f64>,
 }
 
-/// The largest stresses of bodies, for the summary.
+/// The largest stresses of bodies, for the summary, and what the verdict says of them.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Stresses(Map<String, Value>);
+pub struct Stresses {
+    blocks: Map<String, Value>,
+    pub(super) lines: Vec<verdict::Line>,
+}
 
 impl WantedStresses {
     /// The files of a body of that name.
@@ -37,13 +41,14 @@ impl WantedStresses {
 }
 
 impl Stresses {
-    pub(super) fn add(&mut self, body: &str, value: Value) {
-        self.0.insert(body.to_owned(), value);
+    pub(super) fn add(&mut self, body: &str, (value, lines): (Value, Vec<verdict::Line>)) {
+        self.blocks.insert(body.to_owned(), value);
+        self.lines.extend(lines);
     }
 
     /// As a block of the summary; null without any.
     pub(super) fn json(&self) -> Value {
-        if self.0.is_empty() { Value::Null } else { Value::Object(self.0.clone()) }
+        if self.blocks.is_empty() { Value::Null } else { Value::Object(self.blocks.clone()) }
     }
 }
 
@@ -55,13 +60,13 @@ fn field_file(body: &str) -> String {
     format!("stress_{body}.vtr")
 }
 
-/// Writes the table and, if it is wanted, the field of a body; the block of the summary.
+/// Writes the table and, if it is wanted, the field of a body; the block of the summary and the lines of the verdict.
 pub(super) fn write(
     (manifest, which): (&mut Manifest, usize),
     body: &Body,
     wanted: &WantedStresses,
     pressed: &Pressed,
-) -> Result<Value, Error> {
+) -> Result<(Value, Vec<verdict::Line>), Error> {
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
     let strength = wanted.strength.or(body.known_hardness().map(|hardness| hardness / TABOR));
     let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
@@ -69,13 +74,25 @@ pub(super) fn write(
         planes.iter_mut().for_each(|planes| planes.add(depth, plane));
     };
     let Some(maxima) = pressed.maxima(&depths, (&wanted.initial, strength), &mut see) else {
-        return Ok(Value::Null);
+        return Ok((Value::Null, vec![]));
     };
     write_table(manifest, &body.name, &maxima)?;
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
-    Ok(block(pressed, &maxima, (wanted, strength)))
+    let lines = judged((body, strength), &maxima);
+    Ok((block(pressed, &maxima, (wanted, strength)), lines))
+}
+
+/// Whether the body yields, and how far off its largest stresses may be.
+fn judged((body, strength): (&Body, Option<f64>), maxima: &Maxima) -> Vec<verdict::Line> {
+    let largest = maxima.largest(0);
+    let yields = largest.zip(strength);
+    let yields = yields.map(|(own, strength)| verdict::yields(own.value / strength, &body.name));
+    let of = format!("largest equivalent stress of `{}`", body.name);
+    let stated = largest.filter(|own| own.value > 0.0);
+    let stated = stated.map(|own| verdict::measured(own.error / own.value, &of));
+    yields.into_iter().chain(stated).collect()
 }
 
 /// A row a depth.

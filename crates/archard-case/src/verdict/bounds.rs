@@ -337,6 +337,15 @@ pub fn stated(error: f64, column: &str) -> Line {
 /// How large a stated error may be.
 const STATED: Bound = Bound::AtMost([0.05, 1.0]);
 
+/// The largest equivalent stress in a body over its yield strength, and its name. Beyond one the body is not elastic where it is
+/// largest: residual stresses remain there, which change it.
+pub fn yields(utilisation: f64, body: &str) -> Line {
+    let text = format!(
+        "of the yield strength of `{body}` is its largest equivalent stress: it yields there, and stresses are those of a body that stays elastic"
+    );
+    Line::new("yield", utilisation, Bound::AtMost([1.0, f64::INFINITY]), text)
+}
+
 /// How far wear displaces the contact of two flanks, over the pitch along the path: loads and sliding are those of the involutes. A
 /// tenth is a choice; a pitch away the pair of teeth does not touch.
 pub fn flanks(share: f64) -> Line {
