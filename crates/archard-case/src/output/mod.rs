@@ -94,7 +94,7 @@ pub use rail_wear::{ProfileWear, RailLife, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
-pub use stress::{COMPONENTS, Stresses, WantedStresses};
+pub use stress::{COMPONENTS, Stresses, WantedFatigue, WantedStresses};
 pub use summary::Totals;
 pub use summary::json_of as verdict_json;
 pub use surface::Surface;

@@ -5,8 +5,9 @@ use serde_json::{Map, Value, json};
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict;
-use archard::body::Body;
-use archard::elastic::{Maxima, Maximum, Pressed};
+use archard::body::{Body, Material};
+use archard::elastic::{Criterion, Maxima, Maximum, Pressed};
+use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, TABOR};
 
 /// The names of components, in their order.
@@ -23,6 +24,47 @@ pub struct WantedStresses {
     pub initial: Components,
     /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
     pub strength: Option<f64>,
+    /// Criteria of fatigue.
+    pub fatigue: WantedFatigue,
+}
+
+/// Factors of the criteria of fatigue that are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WantedFatigue {
+    /// Crossland's.
+    pub crossland: Option<f64>,
+    /// Dang Van's.
+    pub dang_van: Option<f64>,
+    /// Findley's.
+    pub findley: Option<f64>,
+    /// Fatemi and Socie's.
+    pub fatemi_socie: Option<f64>,
+    /// Whether that of Smith, Watson and Topper is.
+    pub smith_watson_topper: bool,
+}
+
+impl WantedFatigue {
+    /// Whether any is.
+    pub fn is_wanted(&self) -> bool {
+        *self != Self::default()
+    }
+
+    /// The criteria, of a body of that material and yield strength (Pa).
+    fn criteria(&self, material: &Material, strength: Option<f64>) -> Vec<Criterion> {
+        let elastic = Elastic { young: material.young, poisson: material.poisson };
+        let socie = self.fatemi_socie.zip(strength);
+        let topper = self.smith_watson_topper.then_some(Criterion::SmithWatsonTopper(elastic));
+        [
+            self.crossland.map(Criterion::Crossland),
+            self.dang_van.map(Criterion::DangVan),
+            self.findley.map(Criterion::Findley),
+            socie.map(|(factor, strength)| Criterion::FatemiSocie(elastic, [factor, strength])),
+            topper,
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
 }
 
 /// The largest stresses of bodies, for the summary, and what the verdict says of them.
@@ -62,7 +104,7 @@ fn field_file(body: &str) -> String {
 
 /// Writes the table and, if it is wanted, the field of a body; the block of the summary and the lines of the verdict.
 pub(super) fn write(
-    (manifest, which): (&mut Manifest, usize),
+    (manifest, which, axis): (&mut Manifest, usize, usize),
     body: &Body,
     wanted: &WantedStresses,
     pressed: &Pressed,
@@ -80,8 +122,23 @@ pub(super) fn write(
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
-    let lines = judged((body, strength), &maxima);
-    Ok((block(pressed, &maxima, (wanted, strength)), lines))
+    let mut lines = judged((body, strength), &maxima);
+    let mut block = block(pressed, &maxima, (wanted, strength));
+    let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
+    for criterion in criteria.into_iter().flatten() {
+        let found = pressed.fatigue(&criterion, (&depths, &wanted.initial), axis);
+        let of = format!("`{}` of `{}`", criterion.name(), body.name);
+        let stated = found.filter(|own| own.value != 0.0);
+        lines.extend(stated.map(|own| verdict::measured(own.error / own.value.abs(), &of)));
+        block["fatigue"][criterion.name()] = json!(found.map(|own| json!({
+            "value": own.value,
+            "error": own.error,
+            "unit": if matches!(criterion, Criterion::FatemiSocie(..)) { "" } else { "Pa" },
+            "across_m": own.place[1 - axis],
+            "depth_m": 0.0 - own.place[2],
+        })));
+    }
+    Ok((block, lines))
 }
 
 /// Whether the body yields, and how far off its largest stresses may be.
