@@ -148,19 +148,15 @@ impl Pressed {
 
 /// The rows of the largest amplitudes of shear, and those of the largest tension.
 fn foremost(rows: &[(f64, Vec<Components>)]) -> Vec<usize> {
-    let measures: Vec<[f64; 2]> = rows
-        .par_iter()
-        .map(|(_, path)| {
-            let pull = path.iter().map(tension).fold(f64::NEG_INFINITY, f64::max);
-            [crossland(path)[0], pull]
-        })
-        .collect();
-    let mut chosen = vec![];
-    for measure in 0..2 {
+    let foremost = |measure: &(dyn Fn(&[Components]) -> f64 + Sync)| {
+        let values: Vec<f64> = rows.par_iter().map(|(_, path)| measure(path)).collect();
         let mut order: Vec<usize> = (0..rows.len()).collect();
-        order.sort_by(|&a, &b| measures[b][measure].total_cmp(&measures[a][measure]));
-        chosen.extend(order.into_iter().take(ROWS));
-    }
+        order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+        order.into_iter().take(ROWS)
+    };
+    let pull = |path: &[Components]| path.iter().map(tension).fold(f64::NEG_INFINITY, f64::max);
+    let mut chosen: Vec<usize> =
+        foremost(&|path| crossland(path)[0]).chain(foremost(&pull)).collect();
     chosen.sort_unstable();
     chosen.dedup();
     chosen
