@@ -35,6 +35,8 @@ pub(super) struct Standing {
     cycles: bool,
     effort: Effort,
     extent: f64,
+    /// What the coordinates of the frame are, where they are no axes of space.
+    coordinates: Option<String>,
     /// The column of its progress.
     progress: &'static str,
 }
@@ -51,6 +53,7 @@ impl Standing {
             cycles: report.problem.motion.increments().is_some(),
             effort: report.effort,
             extent: report.extent,
+            coordinates: report.problem.frame.wrap().map(|wrap| wrap.coordinates()),
             progress: report.problem.motion.progress.column,
         }
     }
@@ -74,6 +77,7 @@ pub(super) fn text(
         "verdict": json_of(verdict),
         "life": standing.and_then(|standing| life.json(standing.progress)),
         "extent": standing.map(|standing| standing.extent),
+        "coordinates": standing.and_then(|standing| standing.coordinates.as_deref()),
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),
         "closed_form": standing.map(|standing| &standing.closed_form),

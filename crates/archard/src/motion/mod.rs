@@ -8,6 +8,7 @@ mod creepage_sweep;
 mod drives;
 mod fretting;
 mod indentation;
+mod joint;
 mod path;
 mod progress;
 mod rolling;
@@ -22,6 +23,7 @@ pub use axes::Axis;
 pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
+pub use joint::{Joint, Turn};
 pub use path::Path;
 pub use progress::Progress;
 pub use rolling::Rolling;
@@ -90,6 +92,8 @@ pub enum Lever {
     Even,
     /// In proportion to the distance (m) from x = y = 0, about which one body turns on the other.
     Radius,
+    /// As the surface of a ball moves where it turns: by its radius and the distance from the axis.
+    Turn,
 }
 
 /// What the bodies go through as the motion advances.
@@ -103,6 +107,8 @@ pub enum Sequence {
     Cycle(Shift),
     /// Stations on both surfaces, all pairs in contact sliding from one to the next.
     Table(Table),
+    /// Turns of a ball in its socket.
+    Joint(Joint),
 }
 
 /// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
@@ -201,6 +207,7 @@ impl Motion {
     /// Whether a step sees the surfaces in one position after the other.
     pub fn has_positions(&self) -> bool {
         self.amplitude().is_some()
+            || self.joint().is_some()
             || [Passage::Recurs, Passage::Roams].iter().any(|one| self.surfaces.contains(one))
     }
 
@@ -315,6 +322,11 @@ impl Motion {
         if let Sequence::Table(table) = &self.sequence { Some(table) } else { None }
     }
 
+    /// The turns of a ball in its socket.
+    pub fn joint(&self) -> Option<&Joint> {
+        if let Sequence::Joint(joint) = &self.sequence { Some(joint) } else { None }
+    }
+
     /// Whether the surface of a body moves under the contact from station to station of a table.
     pub fn roams(&self, body: usize) -> bool {
         self.surfaces[body] == Passage::Roams
@@ -332,6 +344,7 @@ pub const MOTIONS: &[Choice<Planned>] = &[
     fretting::CHOICE,
     path::CHOICE,
     table::CHOICE,
+    joint::CHOICE,
     sliding::CHOICE,
     rotation::CHOICE,
     rolling::CHOICE,

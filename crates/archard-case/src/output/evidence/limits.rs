@@ -27,6 +27,9 @@ pub(super) struct Limits {
     /// What a plane frame neglects of bodies that conform: the form of the profiles, and how they slope.
     form: Option<f64>,
     slope: Option<f64>,
+    /// Where the frame is drawn on a round surface: how far the contact reaches (degrees), and the clearance over the radius.
+    angle: Option<f64>,
+    clearance: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
     /// The warmest place (K).
@@ -85,6 +88,11 @@ impl Limits {
         let conforming = conforming.filter(|_| !problem.bodies.iter().any(is_meshed));
         worst(&mut self.form, conforming.map(|own| own.form));
         worst(&mut self.slope, conforming.map(|own| own.slope));
+        if let Some(wrap) = frame.wrap() {
+            let reach = wrap.closing(if frame.is_line() { [x, 0.0] } else { [x.max(y), 0.0] });
+            worst(&mut self.angle, Some(reach.clamp(-1.0, 1.0).acos().to_degrees()));
+            self.clearance = Some(wrap.clearance / wrap.radius);
+        }
         if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
             let length = frame.rectangle().size[axis] / size[1 - axis];
             self.length = Some(self.length.map_or(length, |known| known.min(length)));
@@ -103,6 +111,8 @@ impl Limits {
             of(&self.radius, verdict::radius),
             self.form.map(verdict::form),
             self.slope.map(verdict::slope),
+            self.angle.map(verdict::angle),
+            self.clearance.map(verdict::clearance),
             self.length.map(verdict::length),
             self.temperature.map(verdict::temperature),
             self.creepage.map(verdict::creepage),
