@@ -42,13 +42,13 @@ impl Wrap {
 
     /// What the coordinates of the frame are, in words.
     pub fn coordinates(&self) -> String {
-        let radius = 1e3 * self.radius;
+        let radius = (1e9 * self.radius).round() * 1e-6;
         match self.round {
             Round::Sphere => format!(
-                "x and y lie on Lambert's map of the sphere of {radius:.6} mm, which keeps areas: r = 2 R sin(theta/2) from the pole; depths and pressures are normal to the sphere"
+                "x and y lie on Lambert's map of the sphere of {radius} mm, which keeps areas: r = 2 R sin(theta/2) from the pole; depths and pressures are normal to the sphere"
             ),
             Round::Cylinder => format!(
-                "x is the arc R theta on the cylinder of {radius:.6} mm; depths and pressures are normal to it"
+                "x is the arc R theta on the cylinder of {radius} mm; depths and pressures are normal to it"
             ),
         }
     }

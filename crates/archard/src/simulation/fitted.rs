@@ -130,10 +130,10 @@ fn pair(bodies: &[Body; 2], of: [Option<Fitted>; 2], one: Fitted) -> Option<Refu
     }
     let [inner, outer] = if first.hollow { [second, first] } else { [first, second] };
     (outer.radius <= inner.radius).then(|| {
-        let [ball, socket] = [inner, outer].map(|one| 1e3 * one.radius);
+        let [ball, socket] = [inner, outer].map(|one| (1e9 * one.radius).round() * 1e-6);
         let hollow = usize::from(second.hollow);
         let what = format!(
-            "a {inside} of {ball:.6} mm leaves no clearance in a {outside} of {socket:.6} mm: they would touch everywhere"
+            "a {inside} of {ball} mm leaves no clearance in a {outside} of {socket} mm: they would touch everywhere"
         );
         let help = format!("give the {outside} a larger radius");
         Refusal::new(Part::Profile(bodies[hollow].name.clone()), what, help)

@@ -9,7 +9,7 @@ use super::{keep, worst};
 use crate::verdict::{self, Line};
 use archard::body::{Body, Elasticity};
 use archard::estimate::Conforming;
-use archard::frame::ContactFrame;
+use archard::frame::{ContactFrame, VectorField};
 use archard::problem::{ContactProblem, Flash};
 use archard::simulation::Report;
 
@@ -30,6 +30,8 @@ pub(super) struct Limits {
     /// Where the frame is drawn on a round surface: how far the contact reaches (degrees), and the clearance over the radius.
     angle: Option<f64>,
     clearance: Option<f64>,
+    /// There, what guides the inner body along the axis of the load, over the load.
+    side: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
     /// The warmest place (K).
@@ -61,6 +63,7 @@ impl Limits {
         if let Some(extent) = Extent::of(&problem.frame, &state.pressure) {
             self.take_extent(problem, extent);
         }
+        worst(&mut self.side, side(problem, &state.pressure));
         let warmest = flash.map(|flash| {
             let rise = flash.rise.iter().copied().fold(0.0, f64::max);
             flash.bulk.unwrap_or_default() + rise
@@ -113,6 +116,7 @@ impl Limits {
             self.slope.map(verdict::slope),
             self.angle.map(verdict::angle),
             self.clearance.map(verdict::clearance),
+            self.side.map(verdict::side),
             self.length.map(verdict::length),
             self.temperature.map(verdict::temperature),
             self.creepage.map(verdict::creepage),
@@ -120,6 +124,16 @@ impl Limits {
         ];
         lines.into_iter().flatten()
     }
+}
+
+/// The force of pressures (Pa) across the axis of the load over that along it, of bodies that fit into each other; `None` of others,
+/// and without a load.
+fn side(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
+    problem.frame.wrap()?;
+    let mut tractions = VectorField::zeros(pressure.len());
+    tractions.n.iter_mut().zip(pressure).for_each(|(normal, pressure)| *normal = -pressure);
+    let [x, y, along] = problem.frame.force(&tractions);
+    (along != 0.0).then(|| x.hypot(y) / along.abs())
 }
 
 /// The largest part of a layer that is worn off at some depth (m), of those that are stiffer or softer by half than what is below
