@@ -228,13 +228,13 @@ pub fn clearance(share: f64) -> Line {
     Line::new("clearance", share, Bound::AtMost([0.02, f64::INFINITY]), text)
 }
 
-/// What guides a ball, or a shaft, along the axis of the load, over the load.
+/// The force that pressures leave across the axis of the load, over the load, of bodies that fit into each other.
 ///
-/// The inner body approaches along the pole. Where a hollow wears more to one side it is pressed sideways, and one that is free would
-/// move there. At 4 % in the cup of a hip a free ball wears 1.3 % more volume and 1 % deeper (columns, with one balance and with three).
+/// The inner body is free to move across. In the cup of a hip that wears to one side, 4 % left there, as on a ball that is guided, makes
+/// 1.3 % less volume and 1 % less depth (columns, with one balance of forces and with three).
 pub fn side(share: f64) -> Line {
-    let text = "of the load guides the inner body along the axis of the load, where the hollow is worn to one side: one that is free moves there, and wears more by a third of it";
-    Line::new("side", share, Bound::AtMost([0.05, f64::INFINITY]), text)
+    let text = "of the load is left across its axis, where the inner body is free to move: a third of it is missing of what wears";
+    Line::new("side", share, Bound::AtMost([1e-3, 3e-2]), text)
 }
 
 /// Length of a line of contact over its width: a chosen bound.

@@ -7,6 +7,7 @@ use archard::motion::{Control, Cycles, Indentation, Joint, Sliding, Stepping};
 use archard::wear::{Archard, CrossShear, WearLaw};
 use archard::{Body, Material, Simulation};
 
+use super::accuracy::{answer, assert_within};
 use crate::common::states;
 
 /// Radius, clearance and thickness (mm), Young's modulus (MPa), Poisson's ratio, load (N), then approach (mm), largest pressure (MPa)
@@ -176,8 +177,9 @@ fn unworn_cups_wear_as_under_pressures_of_finite_elements() {
     assert_relative_eq!(found[1], 0.18914, max_relative = 6e-3);
 }
 
-/// A million cycles whose shape is followed, by columns under a ball that is guided along the pole, in 60 stations on 90 x 180 places,
-/// with 24 steps of Heun's method: a layer thin beside the contact is columns but for the square of 0.4 over 12.
+/// A million cycles whose shape is followed, by columns under a ball that is free across the load, in 60 stations on 90 x 180 places, with
+/// 24 steps of Heun's method: a layer thin beside the contact is columns but for the square of 0.4 over 12. Under a guided ball they are
+/// 32.621 mm3 and 0.10481 mm, 24.458 and 0.08689.
 #[test]
 fn cups_of_thin_layers_wear_as_columns() {
     let crossing = CrossShear::new([1e-16, 2e-15]).unwrap().with_exponent(0.5).unwrap();
@@ -186,8 +188,22 @@ fn cups_of_thin_layers_wear_as_columns() {
     let archard = hip(layer, Archard::new(1.0656e-15).unwrap(), cycles);
     let crossing = hip(layer, crossing, cycles);
     println!("{archard:?} {crossing:?}");
-    for (found, known) in [(archard, [32.6209, 0.104810]), (crossing, [24.4576, 0.086888])] {
+    for (found, known) in [(archard, [33.0597, 0.105707]), (crossing, [24.6942, 0.087359])] {
         assert_relative_eq!(found[0], known[0], max_relative = 2e-3);
         assert_relative_eq!(found[1], known[1], max_relative = 6e-3);
     }
+}
+
+/// A bush as a user writes it, on a frame that follows and grows with the contact, from 9 to 70 degrees: its depth after the distance in
+/// which a rigid one wears by 0.1 mm. The elastic one leaves 2e-5 of it.
+#[test]
+fn bushes_of_a_case_grow_with_their_contact() {
+    let case = "accuracy = 0.01\n[body.shaft]\nrigid = true\nprofile.shaft.radius = \"10 mm\"\n\
+        [body.bush]\nlayers = [{ thickness = \"1 mm\", young = \"50 GPa\", poisson = 0.3 }]\nsubstrate = \"rigid\"\n\
+        profile.bush.radius = \"10.05 mm\"\nwear.archard.coefficient = \"1e-6 mm^3/(N m)\"\n\
+        [frame]\nlength = \"20 mm\"\n[motion.sliding]\nload = \"2 kN\"\ndistance = \"13750.35 m\"\n";
+    let row = answer(case, &[]);
+    assert_within(&row, "wear_depth_bush_m", (0.1e-3, 2e-8), "bush");
+    let angle = f64::acos(1.0 / 3.0).to_degrees();
+    assert_within(&row, "edge_angle_deg", (angle, 1e-2), "bush");
 }

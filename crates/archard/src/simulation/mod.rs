@@ -12,6 +12,7 @@ mod digest;
 mod effort;
 mod error;
 pub mod fitted;
+mod free;
 mod friction;
 pub mod history;
 mod march;

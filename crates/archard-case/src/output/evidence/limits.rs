@@ -30,7 +30,7 @@ pub(super) struct Limits {
     /// Where the frame is drawn on a round surface: how far the contact reaches (degrees), and the clearance over the radius.
     angle: Option<f64>,
     clearance: Option<f64>,
-    /// There, what guides the inner body along the axis of the load, over the load.
+    /// There, the force that is left across the axis of the load, over the load.
     side: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
