@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::body::mesh::{Corners, Mesh, Volume};
 use crate::body::{Finite, Support};
+use crate::compliance::bem::contact::STEEP;
 use crate::numerics::{SAME, WRITTEN};
 
 /// Three directions at right angles: first those that are held, then those that are free.
@@ -54,19 +55,25 @@ pub(super) fn held(finite: &Finite, volume: &Volume) -> [Vec<Held>; 2] {
     let support = |surface: usize| {
         finite.supports.iter().find(|(own, _)| *own == surface).map(|(_, support)| *support)
     };
-    // A surface is smooth: its normal at a node is the mean over its triangles there.
-    let mut normals: BTreeMap<(usize, usize), DVec3> = BTreeMap::new();
+    // Where a surface is smooth, its normal at a node is the mean over its triangles there; at an edge it has several.
+    let mut normals: BTreeMap<(usize, usize), Vec<DVec3>> = BTreeMap::new();
     for (face, nodes) in volume.faces.iter().enumerate() {
         let surface = mesh.faces[face].surface;
         for node in nodes.iter().filter(|_| support(surface).is_some()) {
-            *normals.entry((*node, surface)).or_default() += normal(mesh, face);
+            let (known, own) = (normals.entry((*node, surface)).or_default(), normal(mesh, face));
+            let turns = |one: &DVec3| one.dot(own) > STEEP * one.length() * own.length();
+            match known.iter_mut().find(|one| turns(one)) {
+                Some(one) => *one += own,
+                None => known.push(own),
+            }
         }
     }
     let extent = mesh.extent();
     let along = |surface: usize, normal: DVec3| along(support(surface), normal, extent);
     let mut directions: BTreeMap<usize, Vec<(DVec3, f64)>> = BTreeMap::new();
-    for ((node, surface), normal) in normals {
-        directions.entry(node).or_default().extend(along(surface, normal));
+    for ((node, surface), normals) in normals {
+        let held = normals.into_iter().flat_map(|normal| along(surface, normal));
+        directions.entry(node).or_default().extend(held);
     }
     let mut nodes = vec![Held::FREE; volume.nodes.len()];
     directions.iter().for_each(|(node, directions)| nodes[*node] = Held::of(directions));

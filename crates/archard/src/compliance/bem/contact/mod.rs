@@ -29,7 +29,7 @@ pub use meeting::Meeting;
 
 /// The cosine of 30 degrees. Normals that turn by more belong to two surfaces that meet in an edge, and to a zone for which no
 /// half-space stands and whose pairs meet along their own normals.
-const STEEP: f64 = 0.866_025_403_784_438_6;
+pub(crate) const STEEP: f64 = 0.866_025_403_784_438_6;
 
 /// Why meshed bodies cannot be brought into contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
