@@ -13,6 +13,7 @@ mod fields;
 mod fit;
 mod folders;
 mod friction;
+mod gears;
 mod law;
 mod log;
 mod rail;
@@ -50,6 +51,8 @@ mod _archard {
     use super::folders::{
         comparison, free_memory, knows_unit, numbers, page, pictures, quantity, verify,
     };
+    #[pymodule_export]
+    use super::gears::wear_gears;
     #[pymodule_export]
     use super::log::read_log;
     #[pymodule_export]

@@ -109,8 +109,16 @@ fn expected(file: &str) -> Vec<Expected> {
 }
 
 /// Columns without a unit.
-const PURE: [&str; 7] =
-    ["revolutions", "share", "cycle", "turns", "true_cycles", "creepage", "lateral_creepage"];
+const PURE: [&str; 8] = [
+    "revolutions",
+    "meshes",
+    "share",
+    "cycle",
+    "turns",
+    "true_cycles",
+    "creepage",
+    "lateral_creepage",
+];
 
 /// What a column holds, by the unit at the end of its name; `None` for a pure number.
 fn measure(column: &str) -> Option<Measure> {
@@ -157,6 +165,10 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             let deformed = body.solve().map_err(|error| error.to_string())?;
             let points = named(&body.points, &deformed.points);
             return Ok(Results { points, rows: Rows::default() });
+        }
+        Task::Gear(resolved) => {
+            let results = resolved.case.solve().map_err(|problem| problem.title())?;
+            return Ok(Results { points: vec![], rows: Rows(results.course()) });
         }
         Task::WheelRail(resolved) => {
             let results = resolved.case.solve(|_, _| ControlFlow::Continue(()));

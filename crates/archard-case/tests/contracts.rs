@@ -31,6 +31,10 @@ const PROFILE_EXAMPLES: Examples = &[
     ("sphere", &[("radius", 0.05)]),
     ("sphere", &[("radius", -0.05)]),
     ("cylinder", &[("radius", -0.01)]),
+    ("ball", &[("radius", 0.014)]),
+    ("socket", &[("radius", 0.0141)]),
+    ("shaft", &[("radius", 0.01)]),
+    ("bush", &[("radius", 0.01005)]),
     ("disc", &[("radius", -0.0325), ("crown", -0.125)]),
     ("paraboloid", &[("radius_x", 0.02), ("radius_y", -0.3)]),
     ("cylinder", &[("radius", 0.01)]),
@@ -136,8 +140,8 @@ const MOTION_EXAMPLES: Examples = &[
     ("creepage_sweep", &[("load", 300.0), ("spin", 0.2), ("increments", 5.0)]),
 ];
 
-/// Motions that need more than numbers: see `contracts/shift.rs` and `crates/archard/tests/stations.rs`.
-const OTHER_MOTIONS: &[&str] = &["fretting", "path", "table"];
+/// Motions that need more than numbers: see `contracts/shift.rs`, `crates/archard/tests/stations.rs` and their own tests.
+const OTHER_MOTIONS: &[&str] = &["fretting", "path", "table", "joint"];
 
 fn all_have_examples<T>(list: &[Choice<T>], examples: Examples, others: &[&str]) {
     for choice in list {

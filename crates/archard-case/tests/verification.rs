@@ -14,6 +14,7 @@ mod verification {
     mod conforming;
     mod edges;
     mod elastic_bodies;
+    mod fitted;
     mod flash_temperature;
     mod fretting_wear;
     mod friction_circumstances;

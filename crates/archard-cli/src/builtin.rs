@@ -74,6 +74,8 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../cases/crossing_ball/case.toml"),
         files: &[("stations.csv", include_bytes!("../cases/crossing_ball/stations.csv"))],
     },
+    without_files("gear_flanks", include_str!("../cases/gear_flanks/case.toml")),
+    without_files("hip", include_str!("../cases/hip/case.toml")),
     without_files("mccoll_fretting", include_str!("../cases/mccoll_fretting/case.toml")),
     without_files("fretting_sphere", include_str!("../cases/fretting_sphere/case.toml")),
     without_files(

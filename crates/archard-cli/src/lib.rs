@@ -17,6 +17,7 @@ mod failure;
 mod fit;
 mod fitted;
 mod folder;
+mod gear;
 mod interrupt;
 mod laws;
 pub mod library;

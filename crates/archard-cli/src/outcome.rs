@@ -70,6 +70,11 @@ impl Outcome<'_> {
         if frame.is_line() {
             lines.add("line of contact", of_a_line(frame.size()[1]), String::new());
         }
+        if let Some(wrap) = frame.wrap() {
+            let angle = four(self.last(history::EDGE_ANGLE));
+            let value = format!("{angle} deg from the pole; {}", wrap.coordinates());
+            lines.add("edge of contact", value, String::new());
+        }
         let motion = &simulation.problem.motion;
         if motion.driven(0.0).is_some() {
             self.rolled(motion.direction, &mut lines);

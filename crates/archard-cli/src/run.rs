@@ -15,6 +15,7 @@ use crate::diagnose;
 use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
+use crate::gear;
 use crate::interrupt::{self, Interrupted, Watch};
 use crate::lives::{Foreseen, Told};
 use crate::outcome::Outcome;
@@ -75,7 +76,7 @@ fn in_folder(
                 false => contact(),
             }
         }
-        Task::Elastic(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
+        Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
             let why = match task {
                 Task::WheelRail(_) => {
                     "a wheel on a rail is not kept on its route: run the case again, from its start"
@@ -87,6 +88,7 @@ fn in_folder(
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
+        Task::Gear(resolved) => gear::run(resolved, watch, [arguments.quiet, arguments.verbose]),
         Task::WheelRail(resolved) => {
             wheel_rail::run(resolved, watch, &mut follower, [arguments.quiet, arguments.verbose])
         }

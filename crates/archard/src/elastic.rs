@@ -5,10 +5,12 @@
 //! in contact is one too, once its tractions are known: [`Deformed::in_contact`]; of a half-space they say all: [`Pressed`].
 
 mod edge;
+mod fatigue;
 mod half_space;
 mod maxima;
 mod section;
 
+pub use fatigue::Criterion;
 pub use half_space::{Pressed, tensor};
 pub use maxima::{Layer, Maxima, Maximum};
 pub use section::{Sampled, Section, SectionError};

@@ -8,11 +8,12 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const CRATES: [&str; 7] = [
+const CRATES: [&str; 8] = [
     "archard",
     "archard-case",
     "archard-lab",
     "archard-log",
+    "archard-gear",
     "archard-rail",
     "archard-surface",
     "archard-cli",

@@ -10,7 +10,7 @@ use archard::body::Profile;
 use archard::body::profile::{Cylinder, Flat, FlatEnd, Sphere};
 use archard::closed_form::first_yield::FirstYield;
 use archard::closed_form::sliding_line;
-use archard::elastic::{ElasticError, Maxima, Maximum, Pressed};
+use archard::elastic::{Criterion, ElasticError, Maxima, Maximum, Pressed};
 use archard::frame::VectorField;
 use archard::motion::Control;
 use archard::stress::{Components, MEASURES, von_mises};
@@ -250,5 +250,29 @@ fn where_stick_ends_errors_are_those_of_a_cusp() {
                 pressed(&contact, which, |place, pressure| side * friction(place, pressure));
             within(largest(&pressed, [0.0; 6]).surface[0].unwrap(), known, peak);
         }
+    }
+}
+
+/// A line of contact that passes with a tenth of friction, by Crossland and Dang Van along the paths of McEwen's field.
+#[test]
+fn a_point_that_is_passed_tires_as_its_path_says() {
+    let (a, radius, modulus) = (1e-4, 1e-2, 210e9 / 0.91 / 2.0);
+    let load = PI * modulus * a * a / (4.0 * radius) * 1e-3;
+    let peak = 2.0 * load / 1e-3 / (PI * a);
+    let profile = Cylinder::along_y(radius).unwrap();
+    let solved = Contact::between(bodies(profile), Control::Load(load)).unwrap();
+    let contact = solved.line([6.0 * a, 1e-3], 240).solve().unwrap();
+    let pressed = pressed(&contact, 0, |_, pressure| 0.1 * pressure);
+    let along = |depth: f64| -> Vec<Components> {
+        let places = (-400..=400).map(|step| f64::from(step) * 2e-2);
+        places.map(|x| sliding_line::stress([x, depth], 0.1, 0.3)).collect()
+    };
+    for criterion in [Criterion::Crossland(0.3), Criterion::DangVan(0.3)] {
+        let found = pressed.fatigue(&criterion, (&pressed.depths(), &[0.0; 6]), 0).unwrap();
+        let depths = (5..100).map(|step| f64::from(step) * 1e-2);
+        let known = depths.map(|depth| criterion.of(&along(depth))).fold(0.0, f64::max);
+        let (off, error) = ((found.value / peak - known).abs(), found.error / peak);
+        assert!(off < error + 2e-3, "{}: {found:?} for {known}", criterion.name());
+        assert!(error < 0.02, "{}: {found:?}", criterion.name());
     }
 }

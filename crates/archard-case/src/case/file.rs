@@ -12,11 +12,12 @@ use super::accuracy;
 use super::check;
 use super::chosen::Chosen;
 use super::elastic;
+use super::gear;
 use super::key::{Key, Part};
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
-use super::resolved::{Resolved, ResolvedElastic, ResolvedWheelRail, Task};
+use super::resolved::{Resolved, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task};
 use super::surface::PreparedSurface;
 use super::told::{PROBLEMS, told};
 use super::tree::{Origin, Table};
@@ -139,7 +140,7 @@ impl CaseFile {
         format!("{place}: {}: {}", problem.severity, problem.title())
     }
 
-    /// Reads and checks the case: of two bodies in contact, of one body by itself, or of a wheel on a rail.
+    /// Reads and checks the case: of two bodies in contact, of one body by itself, of two gears, or of a wheel on a rail.
     ///
     /// # Errors
     /// All that is wrong with it, and the warnings besides.
@@ -149,6 +150,11 @@ impl CaseFile {
             let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.wheel_rail(root);
             let (case, forecast, warnings) = self.examine(laid, read, wheel_rail::check)?;
             return Ok(Task::WheelRail(Box::new(ResolvedWheelRail { case, forecast, warnings })));
+        }
+        if Reader::is_gear(&Section { key: Key::default(), table: &laid.table }) {
+            let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.gear(root);
+            let (case, forecast, warnings) = self.examine(laid, read, gear::check)?;
+            return Ok(Task::Gear(Box::new(ResolvedGear { case, forecast, warnings })));
         }
         if !Reader::is_elastic(&Section { key: Key::default(), table: &laid.table }) {
             return self.resolve_contact(laid).map(|resolved| Task::Contact(Box::new(resolved)));

@@ -6,11 +6,13 @@ use super::accuracy::Refined;
 use super::check::{Solves, Yielding};
 use super::elastic::ElasticForecast;
 use super::file::CaseFile;
+use super::gear::GearForecast;
 use super::problem::{Location, Problem};
 use super::resolved::{Resolved, Task};
 use super::wheel_rail::WheelRailForecast;
 use crate::output::{estimate_json, verdict_json};
 use archard::body::mesh::Listed;
+use archard_gear::Station;
 use archard_rail::search::Onset;
 use archard_rail::setup::Side;
 
@@ -30,6 +32,7 @@ impl CaseFile {
                 let expected = match &task {
                     Task::Contact(resolved) => contact(resolved),
                     Task::Elastic(resolved) => elastic(&resolved.forecast),
+                    Task::Gear(resolved) => gear(&resolved.forecast),
                     Task::WheelRail(resolved) => wheel_rail(&resolved.forecast),
                 };
                 if let (Value::Object(checked), Value::Object(expected)) = (&mut checked, expected)
@@ -120,6 +123,29 @@ fn elastic(forecast: &ElasticForecast) -> Value {
         "unknowns": forecast.unknowns,
         "points": forecast.points,
         "memory_bytes": forecast.memory,
+    })
+}
+
+fn gear(forecast: &GearForecast) -> Value {
+    let Some(mesh) = &forecast.mesh else { return json!({}) };
+    let station = |(letter, station): (&str, Station)| {
+        json!({
+            "letter": letter,
+            "path_m": station.place,
+            "load_share": station.load / mesh.load,
+            "peak_pressure_Pa": station.peak_pressure,
+            "half_width_m": station.half_width,
+            "slid_m": [station.slide(0), station.slide(1)],
+            "diameters_m": mesh.pair.diameters(station.place),
+        })
+    };
+    let stations: Vec<Value> = forecast.stations().into_iter().map(station).collect();
+    json!({
+        "contact_ratio": mesh.pair.contact_ratio(),
+        "working_pressure_angle_rad": mesh.pair.working_angle,
+        "backlash_m": mesh.pair.backlash,
+        "load_N_per_m": mesh.load,
+        "stations": stations,
     })
 }
 

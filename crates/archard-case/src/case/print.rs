@@ -10,7 +10,7 @@ use super::definition::{BodyCase, Case, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::finite::FiniteCase;
 use super::quantity::measure;
-use crate::output::{COMPONENTS, Limit, WantedStresses};
+use crate::output::{COMPONENTS, Limit, WantedFatigue, WantedStresses};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::elastic::{Point, Section};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
@@ -162,7 +162,8 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 }
 
 fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> fmt::Result {
-    let WantedStresses { depths, field, initial, strength } = wanted;
+    let WantedStresses { depths, field, initial, strength, fatigue } = wanted;
+    let WantedFatigue { crossland, dang_van, findley, fatemi_socie, smith_watson_topper } = fatigue;
     if depths.is_empty() {
         writeln!(f, "{key}.depths = \"auto\"")?;
     } else {
@@ -177,6 +178,19 @@ fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> 
     }
     if let Some(strength) = strength {
         writeln!(f, "{key}.yield_strength = {}", si(*strength, "Pa"))?;
+    }
+    for (name, factor) in [
+        ("crossland", crossland),
+        ("dang_van", dang_van),
+        ("findley", findley),
+        ("fatemi_socie", fatemi_socie),
+    ] {
+        if let Some(factor) = factor {
+            writeln!(f, "{key}.fatigue.{name} = {}", number(*factor))?;
+        }
+    }
+    if *smith_watson_topper {
+        writeln!(f, "{key}.fatigue.smith_watson_topper = true")?;
     }
     Ok(())
 }

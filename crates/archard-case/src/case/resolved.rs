@@ -6,9 +6,10 @@ use super::check::pace::Pace;
 use super::check::runtime::Runtime;
 use super::definition::Case;
 use super::elastic::{ElasticCase, ElasticForecast};
+use super::gear::{GearCase, GearForecast};
 use super::problem::Problem;
 use super::wheel_rail::{WheelRailCase, WheelRailForecast};
-use crate::output::elastic_files;
+use crate::output::{elastic_files, gear_files};
 
 /// A case that can be run.
 #[non_exhaustive]
@@ -48,6 +49,18 @@ pub struct ResolvedWheelRail {
     pub warnings: Vec<Problem>,
 }
 
+/// A case of two gears that can be computed.
+#[non_exhaustive]
+#[derive(Debug, Clone)]
+pub struct ResolvedGear {
+    /// The case in SI.
+    pub case: GearCase,
+    /// What a mesh is like before any wear.
+    pub forecast: GearForecast,
+    /// What may not be as it was meant.
+    pub warnings: Vec<Problem>,
+}
+
 /// What a case asks for.
 #[derive(Debug, Clone)]
 pub enum Task {
@@ -55,6 +68,8 @@ pub enum Task {
     Contact(Box<Resolved>),
     /// One elastic body by itself.
     Elastic(Box<ResolvedElastic>),
+    /// Two gears in mesh.
+    Gear(Box<ResolvedGear>),
     /// A railway wheel on its rail.
     WheelRail(Box<ResolvedWheelRail>),
 }
@@ -90,6 +105,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.expectations(),
             Task::Elastic(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
+            Task::Gear(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
             Task::WheelRail(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
         }
     }
@@ -99,6 +115,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.case.to_string(),
             Task::Elastic(resolved) => resolved.case.to_string(),
+            Task::Gear(resolved) => resolved.case.to_string(),
             Task::WheelRail(resolved) => resolved.case.to_string(),
         }
     }
@@ -114,6 +131,7 @@ impl Task {
             Task::Elastic(resolved) => {
                 elastic_files(&resolved.case.points, &resolved.case.sections)
             }
+            Task::Gear(_) => gear_files(),
             Task::WheelRail(resolved) => resolved.case.files(),
         }
     }
@@ -123,6 +141,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => &resolved.warnings,
             Task::Elastic(resolved) => &resolved.warnings,
+            Task::Gear(resolved) => &resolved.warnings,
             Task::WheelRail(resolved) => &resolved.warnings,
         }
     }

@@ -137,7 +137,7 @@ impl Inside {
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
                 if let Some(wanted) = &self.stresses[which] {
                     pressed.check(&wanted.depths).map_err(failed)?;
-                    let place = (&mut manifest, which);
+                    let place = (&mut manifest, which, problem.motion.direction.axis);
                     stresses.add(body, stress::write(place, bodies[which], wanted, &pressed)?);
                 }
                 continue;

@@ -27,6 +27,9 @@
 //! Of a wheel on a rail, [`write_rail`] writes `case.toml`, `contacts.csv` with a row a patch, the
 //! [`Image`] of each in `patches`, and `summary.json`; where they wear over a route also `wear.csv` with a row a point of a profile, `dimensions.csv` with a row a step, and the worn profiles.
 //!
+//! Of two gears, [`write_gear`] writes `case.toml`, `flanks.csv` with a row a station of the path of contact, `course.csv` with a row a
+//! step, and `summary.json`.
+//!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
 
@@ -40,6 +43,7 @@ mod fields;
 mod file;
 mod folder;
 mod fretting_loop;
+mod gear;
 mod image;
 mod inside;
 mod length_profiles;
@@ -79,6 +83,7 @@ pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder};
+pub use gear::{GearResults, gear_files, write_gear};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use life::{Life, Limit, Lives, NoColumn, Reached};
@@ -89,7 +94,7 @@ pub use rail_wear::{ProfileWear, RailLife, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
-pub use stress::{COMPONENTS, Stresses, WantedStresses};
+pub use stress::{COMPONENTS, Stresses, WantedFatigue, WantedStresses};
 pub use summary::Totals;
 pub use summary::json_of as verdict_json;
 pub use surface::Surface;

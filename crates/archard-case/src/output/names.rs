@@ -31,6 +31,9 @@ const GIVEN: &[&str] = &[
     "gathered.csv",
     "worn_wheel_*.*",
     "worn_rail_*.*",
+    // Of two gears.
+    "flanks.csv",
+    "course.csv",
     // For ParaView.
     "open.py",
     "*_#.vtu",

@@ -4,8 +4,10 @@ use serde_json::{Map, Value, json};
 
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
-use archard::body::Body;
-use archard::elastic::{Maxima, Maximum, Pressed};
+use crate::verdict;
+use archard::body::{Body, Material};
+use archard::elastic::{Criterion, Maxima, Maximum, Pressed};
+use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, TABOR};
 
 /// The names of components, in their order.
@@ -22,11 +24,55 @@ pub struct WantedStresses {
     pub initial: Components,
     /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
     pub strength: Option<f64>,
+    /// Criteria of fatigue.
+    pub fatigue: WantedFatigue,
 }
 
-/// The largest stresses of bodies, for the summary.
+/// Factors of the criteria of fatigue that are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WantedFatigue {
+    /// Crossland's.
+    pub crossland: Option<f64>,
+    /// Dang Van's.
+    pub dang_van: Option<f64>,
+    /// Findley's.
+    pub findley: Option<f64>,
+    /// Fatemi and Socie's.
+    pub fatemi_socie: Option<f64>,
+    /// Whether that of Smith, Watson and Topper is.
+    pub smith_watson_topper: bool,
+}
+
+impl WantedFatigue {
+    /// Whether any is.
+    pub fn is_wanted(&self) -> bool {
+        *self != Self::default()
+    }
+
+    /// The criteria, of a body of that material and yield strength (Pa).
+    fn criteria(&self, material: &Material, strength: Option<f64>) -> Vec<Criterion> {
+        let elastic = Elastic { young: material.young, poisson: material.poisson };
+        let socie = self.fatemi_socie.zip(strength);
+        let topper = self.smith_watson_topper.then_some(Criterion::SmithWatsonTopper(elastic));
+        [
+            self.crossland.map(Criterion::Crossland),
+            self.dang_van.map(Criterion::DangVan),
+            self.findley.map(Criterion::Findley),
+            socie.map(|(factor, strength)| Criterion::FatemiSocie(elastic, [factor, strength])),
+            topper,
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
+
+/// The largest stresses of bodies, for the summary, and what the verdict says of them.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Stresses(Map<String, Value>);
+pub struct Stresses {
+    blocks: Map<String, Value>,
+    pub(super) lines: Vec<verdict::Line>,
+}
 
 impl WantedStresses {
     /// The files of a body of that name.
@@ -37,13 +83,14 @@ impl WantedStresses {
 }
 
 impl Stresses {
-    pub(super) fn add(&mut self, body: &str, value: Value) {
-        self.0.insert(body.to_owned(), value);
+    pub(super) fn add(&mut self, body: &str, (value, lines): (Value, Vec<verdict::Line>)) {
+        self.blocks.insert(body.to_owned(), value);
+        self.lines.extend(lines);
     }
 
     /// As a block of the summary; null without any.
     pub(super) fn json(&self) -> Value {
-        if self.0.is_empty() { Value::Null } else { Value::Object(self.0.clone()) }
+        if self.blocks.is_empty() { Value::Null } else { Value::Object(self.blocks.clone()) }
     }
 }
 
@@ -55,13 +102,13 @@ fn field_file(body: &str) -> String {
     format!("stress_{body}.vtr")
 }
 
-/// Writes the table and, if it is wanted, the field of a body; the block of the summary.
+/// Writes the table and, if it is wanted, the field of a body; the block of the summary and the lines of the verdict.
 pub(super) fn write(
-    (manifest, which): (&mut Manifest, usize),
+    (manifest, which, axis): (&mut Manifest, usize, usize),
     body: &Body,
     wanted: &WantedStresses,
     pressed: &Pressed,
-) -> Result<Value, Error> {
+) -> Result<(Value, Vec<verdict::Line>), Error> {
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
     let strength = wanted.strength.or(body.known_hardness().map(|hardness| hardness / TABOR));
     let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
@@ -69,13 +116,40 @@ pub(super) fn write(
         planes.iter_mut().for_each(|planes| planes.add(depth, plane));
     };
     let Some(maxima) = pressed.maxima(&depths, (&wanted.initial, strength), &mut see) else {
-        return Ok(Value::Null);
+        return Ok((Value::Null, vec![]));
     };
     write_table(manifest, &body.name, &maxima)?;
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
-    Ok(block(pressed, &maxima, (wanted, strength)))
+    let mut lines = judged((body, strength), &maxima);
+    let mut block = block(pressed, &maxima, (wanted, strength));
+    let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
+    for criterion in criteria.into_iter().flatten() {
+        let found = pressed.fatigue(&criterion, (&depths, &wanted.initial), axis);
+        let of = format!("`{}` of `{}`", criterion.name(), body.name);
+        let stated = found.filter(|own| own.value != 0.0);
+        lines.extend(stated.map(|own| verdict::measured(own.error / own.value.abs(), &of)));
+        block["fatigue"][criterion.name()] = json!(found.map(|own| json!({
+            "value": own.value,
+            "error": own.error,
+            "unit": if matches!(criterion, Criterion::FatemiSocie(..)) { "" } else { "Pa" },
+            "across_m": own.place[1 - axis],
+            "depth_m": 0.0 - own.place[2],
+        })));
+    }
+    Ok((block, lines))
+}
+
+/// Whether the body yields, and how far off its largest stresses may be.
+fn judged((body, strength): (&Body, Option<f64>), maxima: &Maxima) -> Vec<verdict::Line> {
+    let largest = maxima.largest(0);
+    let yields = largest.zip(strength);
+    let yields = yields.map(|(own, strength)| verdict::yields(own.value / strength, &body.name));
+    let of = format!("largest equivalent stress of `{}`", body.name);
+    let stated = largest.filter(|own| own.value > 0.0);
+    let stated = stated.map(|own| verdict::measured(own.error / own.value, &of));
+    yields.into_iter().chain(stated).collect()
 }
 
 /// A row a depth.

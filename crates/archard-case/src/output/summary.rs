@@ -5,7 +5,9 @@ use serde_json::{Map, Value, json};
 use super::evidence::worn_over_coefficient;
 use super::{Life, Standard, Stresses, closed_forms};
 use crate::verdict::{Bound, Line, Verdict, Warning};
+use archard::body::profile::Round;
 use archard::estimate::{Estimator, Subject};
+use archard::frame::Wrap;
 use archard::motion::Passage;
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use archard::simulation::{Effort, Report};
@@ -35,6 +37,8 @@ pub(super) struct Standing {
     cycles: bool,
     effort: Effort,
     extent: f64,
+    /// What the coordinates of the frame are, where they are no axes of space.
+    coordinates: Value,
     /// The column of its progress.
     progress: &'static str,
 }
@@ -51,6 +55,7 @@ impl Standing {
             cycles: report.problem.motion.increments().is_some(),
             effort: report.effort,
             extent: report.extent,
+            coordinates: report.problem.frame.wrap().map_or(Value::Null, |wrap| coordinates(&wrap)),
             progress: report.problem.motion.progress.column,
         }
     }
@@ -74,6 +79,7 @@ pub(super) fn text(
         "verdict": json_of(verdict),
         "life": standing.and_then(|standing| life.json(standing.progress)),
         "extent": standing.map(|standing| standing.extent),
+        "coordinates": standing.map(|standing| &standing.coordinates),
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),
         "closed_form": standing.map(|standing| &standing.closed_form),
@@ -90,6 +96,15 @@ pub(super) fn text(
         "warnings": told,
     });
     format!("{summary:#}\n")
+}
+
+/// What the coordinates of a frame are that is drawn on a round surface.
+fn coordinates(wrap: &Wrap) -> Value {
+    let on = match wrap.round {
+        Round::Sphere => "sphere",
+        Round::Cylinder => "cylinder",
+    };
+    json!({ "on": on, "radius_m": wrap.radius, "meaning": wrap.coordinates() })
 }
 
 /// A verdict: its word, and each line with its number, its bounds and its word.

@@ -10,11 +10,12 @@ mod warning;
 mod words;
 
 pub use bounds::{
-    Accuracy, BY_HALF, EDGES, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, balance, climbs,
-    complete, conformity, constant, contact, creepage, edges, energy, first_contact, form,
-    friction, gathered, hardness, heat, image, layers, length, load, measured, mesh, missing,
-    modulus, nadal, next_test, of_run, radius, roughness, settled, shakedown, shaken, shape,
-    slenderness, slope, stated, stick_zone, temperature, time, touch, volume, warned, worn,
+    Accuracy, BY_HALF, EDGES, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, angle, balance,
+    clearance, climbs, complete, conformity, constant, contact, creepage, edges, energy,
+    first_contact, flanks, form, friction, gathered, hardness, heat, image, layers, length, load,
+    measured, mesh, missing, modulus, nadal, next_test, of_run, radius, roughness, settled,
+    shakedown, shaken, shape, side, slenderness, slope, stated, stick_zone, temperature, time, tip,
+    touch, volume, warned, worn, yields,
 };
 pub use line::{Bound, Line, Word, four};
 pub use warning::Warning;

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 41] = [
+const GOOD: [(&str, &str, Number); 44] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -56,6 +56,9 @@ const GOOD: [(&str, &str, Number); 41] = [
     ("climb", "lateral over vertical force {} of Nadal's limit", Number::Share),
     ("image", "image field known to {}", Number::Share),
     ("shakedown", "largest pressure {} of the shakedown limit", Number::Share),
+    ("yield", "largest equivalent stress {} of the yield strength", Number::Share),
+    ("flanks", "wear displaces the contact by {} of the pitch", Number::Share),
+    ("tip", "no gear is deepest at a tip", Number::Unsaid),
     ("history", "points of the route lose {} of the history", Number::Share),
     ("mesh", "displacements known to {} with these tetrahedra", Number::Share),
 ];
@@ -251,6 +254,9 @@ mod tests {
             verdict::stated(0.01, "peak_pressure_Pa"),
             verdict::climbs(0),
             verdict::gathered(0.01),
+            verdict::yields(0.5, "flat"),
+            verdict::flanks(0.01),
+            verdict::tip("pinion"),
             verdict::nadal(0.2),
             verdict::shakedown(0.2, "rail"),
             verdict::measured(0.01, "depth"),

@@ -42,6 +42,13 @@ fn hollows_of_exact_circles_are_hertz_contacts() {
             [-10.0, f64::INFINITY],
             1.0,
         ),
+        // A ball of a bearing in its groove: as much as 1/5 of the radius of the groove is in contact across.
+        (
+            ["sphere.radius = \"5.5 mm\"", "disc = { radius = \"20 mm\", crown = \"-5.72 mm\" }"],
+            [5.5; 2],
+            [20.0, -5.72],
+            500.0,
+        ),
     ];
     let modulus = contact_modulus([Some(&STEEL); 2]);
     for (profiles, one, two, load) in cases {

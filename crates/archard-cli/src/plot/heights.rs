@@ -42,7 +42,7 @@ pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
         [one, other] => format!("Worn shape: {one} above, {other} below"),
         _ => "Worn shape".to_owned(),
     };
-    let labels = [&*title, &across.label(axis.name()), &height.label("Height")];
+    let labels = [&*title, &across.label(&results.place(axis)), &height.label("Height")];
     let margin = -0.08 * highest * height.factor;
     Ok(curves.panel(labels, |view| {
         let view = along_axis(view, results, window.map(|end| end * across.factor));

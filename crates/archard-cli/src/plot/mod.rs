@@ -11,6 +11,7 @@ pub(crate) mod draw;
 pub(crate) mod figure;
 mod fit;
 mod fretting_loop;
+pub(crate) mod gear;
 mod heights;
 mod json;
 mod lengths;
@@ -24,6 +25,7 @@ pub(crate) mod rail;
 mod raster;
 pub(crate) mod results;
 mod rough;
+mod rows;
 pub(crate) mod scale;
 mod study;
 pub(crate) mod surface;
@@ -122,6 +124,11 @@ pub(crate) fn pictures(
     if rail::is_one(dir) {
         ensure!(others.is_empty(), "a wheel on a rail is not compared with other runs");
         let found = rail::Rail::read(dir)?;
+        return Ok((found.pictures(), found.mark));
+    }
+    if gear::is_one(dir) {
+        ensure!(others.is_empty(), "gears are not compared with other runs");
+        let found = gear::Gears::read(dir)?;
         return Ok((found.pictures(), found.mark));
     }
     let results = Results::read(dir)?;

@@ -49,7 +49,7 @@ pub(crate) fn section(results: &Results, axis: Axis, count: usize) -> Result<Pan
         String::new()
     };
     let title = format!("Pressure along {}{cut}", axis.name());
-    let labels = [&*title, &across.label(axis.name()), &unit.label("Pressure")];
+    let labels = [&*title, &across.label(&results.place(axis)), &unit.label("Pressure")];
     Ok(curves.panel(labels, |view| {
         let view = along_axis(view, results, window.map(|end| end * across.factor)).above_y(0.0);
         if top.is_finite() { view.below_y(top * unit.factor) } else { view }
@@ -111,7 +111,8 @@ pub(crate) fn map(results: &Results) -> Result<Panel> {
         None => name,
     };
     let title = title + outlined;
-    let labels = [&*title, &across.label("x"), &across.label("y")];
+    let [x, y] = [Axis::X, Axis::Y].map(|axis| across.label(&results.place(axis)));
+    let labels = [&*title, &x, &y];
     let [one, other] = windows.map(|[low, high]| high - low);
     let to_scale = one.max(other) <= SLENDER * one.min(other);
     Ok(curves.panel(labels, |view| View { to_scale, ..view }))

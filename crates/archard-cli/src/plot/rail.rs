@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use archard_case::files;
+use anyhow::Result;
 use archard_case::{CaseFile, Task};
 use serde_json::{Map, Value};
 
 use super::figure::{COLOURS, Curves, LegendPosition, OTHERS, PALE, Panel, Pen, Points};
 use super::results::{mark, read_summary};
+use super::rows::Rows;
 use super::{OVERVIEW, Picture};
 
 /// How many times a worn depth is drawn, at most, so that it is seen beside its profile: the largest of these that leaves it below
@@ -25,62 +25,6 @@ pub(crate) struct Rail {
     pub(crate) mark: Option<String>,
     /// Points (y and z, m) of the rail and of the wheel in the track, for each side.
     outlines: Vec<[Points; 2]>,
-}
-
-/// Rows of a table of numbers and words.
-#[derive(Debug, Default)]
-struct Rows {
-    names: Vec<String>,
-    rows: Vec<Vec<String>>,
-}
-
-impl Rows {
-    /// The rows of a file; none where there is no file.
-    fn read(path: &Path) -> Result<Self> {
-        if !path.is_file() {
-            return Ok(Self::default());
-        }
-        let context = || format!("cannot read `{}`", path.display());
-        let text = files::read_text(path).with_context(context)?;
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let names = reader.headers().with_context(context)?.iter().map(str::to_owned).collect();
-        let rows = reader.records().map(|row| Ok(row?.iter().map(str::to_owned).collect()));
-        let rows = rows.collect::<csv::Result<Vec<Vec<String>>>>().with_context(context)?;
-        Ok(Self { names, rows })
-    }
-
-    /// Those with that word in a column.
-    fn with(&self, column: &str, word: &str) -> Self {
-        let at = self.names.iter().position(|name| name == column);
-        let has =
-            |row: &&Vec<String>| at.is_some_and(|at| row.get(at).is_some_and(|cell| cell == word));
-        Self { names: self.names.clone(), rows: self.rows.iter().filter(has).cloned().collect() }
-    }
-
-    /// The different words of a column, in the order of the rows.
-    fn words(&self, column: &str) -> Vec<String> {
-        let mut words: Vec<String> = vec![];
-        for word in self.cells(column) {
-            if !words.contains(word) {
-                words.push(word.clone());
-            }
-        }
-        words
-    }
-
-    fn cells(&self, column: &str) -> impl Iterator<Item = &String> {
-        let at = self.names.iter().position(|name| name == column);
-        self.rows.iter().filter_map(move |row| row.get(at?))
-    }
-
-    /// The numbers of a column, times a factor; what is none is no number.
-    fn numbers(&self, column: &str, factor: f64) -> Vec<f64> {
-        self.cells(column).map(|cell| factor * cell.parse().unwrap_or(f64::NAN)).collect()
-    }
-
-    fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
 }
 
 /// Whether a folder is that of a wheel on a rail.

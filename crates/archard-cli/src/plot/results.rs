@@ -171,6 +171,16 @@ impl Results {
         [Axis::X, Axis::Y].into_iter().filter(|axis| !self.is_one_element(*axis)).collect()
     }
 
+    /// What places along an axis of the frame are called: on bodies that fit into each other they lie on a round surface.
+    pub(crate) fn place(&self, axis: Axis) -> String {
+        let on = self.summary.get("coordinates").and_then(|own| own.get("on")?.as_str());
+        match (on, axis) {
+            (Some("sphere"), _) => format!("{} on the equal-area map", axis.name()),
+            (Some("cylinder"), Axis::X) => "Arc x".to_owned(),
+            _ => axis.name().to_owned(),
+        }
+    }
+
     /// The axis along which a surface passes on a track.
     fn track(&self) -> Option<Axis> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;

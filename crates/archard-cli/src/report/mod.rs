@@ -6,6 +6,7 @@
 
 mod figures;
 mod fit;
+mod gear;
 mod html;
 mod maps;
 mod page;
@@ -67,6 +68,9 @@ pub fn write(arguments: &Report, reload: Option<Duration>) -> Result<PathBuf> {
     } else if plot::rail::is_one(dir) {
         alone("wheel on a rail")?;
         rail::page(dir)?
+    } else if plot::gear::is_one(dir) {
+        alone("pair of gears")?;
+        gear::page(dir)?
     } else {
         let results = Results::read(dir)?;
         let compared = compare::of(dir, &results, &others, options)?;

@@ -34,6 +34,22 @@ fn a_contact_of_few_elements_is_doubtful() {
     assert!(picture.contains("doubtful: elements"));
 }
 
+/// A body is elastic up to its strength: 219 MPa of friction and pressure reach 0.58 of 250 MPa, and so more than 100 MPa.
+#[test]
+fn a_body_that_yields_is_doubtful() {
+    let dir = TempDir::new().unwrap();
+    let sliding = case("sliding_stress");
+    for (strength, known) in [("250 MPa", "good"), ("100 MPa", "doubtful")] {
+        let strength = format!("output.stress.flat.yield_strength={strength}");
+        let coarse = "frame.elements=[60, 60]";
+        let options = ["--set", coarse, "--set", &strength, "-o", known];
+        let options = [&["run", sliding.to_str().unwrap()], &options[..]].concat();
+        archard(&dir, &options).success();
+        assert_eq!(word(&dir, known, "yield"), known);
+        assert_eq!(word(&dir, known, "stated"), "good");
+    }
+}
+
 /// What was foreseen and is found counts once, whichever line finds it; a warning that no line repeats counts by itself.
 #[test]
 fn what_is_foreseen_counts_once() {

@@ -62,7 +62,7 @@ pub struct Maxima {
 
 impl Maximum {
     /// Of the value on elements of once, twice and four times the size at that place.
-    fn of([value, near, far]: [f64; 3], place: [f64; 3]) -> Self {
+    pub(super) fn of([value, near, far]: [f64; 3], place: [f64; 3]) -> Self {
         let (first, second) = ((value - near).abs(), (near - far).abs());
         let order = (second / first).log2().clamp(ORDERS[0], ORDERS[1]);
         let order = if order.is_nan() { ORDERS[1] } else { order };

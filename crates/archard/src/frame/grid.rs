@@ -1,6 +1,6 @@
 //! A uniform grid of pairs.
 
-use super::{Part, Rectangle};
+use super::{Part, Rectangle, Wrap};
 
 /// A uniform rectangular grid.
 #[derive(Debug, Clone, Copy)]
@@ -15,13 +15,15 @@ pub(super) struct Grid {
     pub closed: bool,
     /// Where values at the centre are read: half elements from the lower sides. A frame that grows keeps the place.
     pub middle: [isize; 2],
+    /// What it is drawn on, between bodies that fit into each other.
+    pub wrap: Option<Wrap>,
 }
 
 impl Grid {
     /// Elements on a rectangle, with the centre in its middle.
     pub fn on(rectangle: Rectangle, elements: [usize; 2], line: bool) -> Self {
         let middle = elements.map(|count| count as isize);
-        Self { rectangle, elements, line, closed: false, middle }
+        Self { rectangle, elements, line, closed: false, middle, wrap: None }
     }
 
     /// The elements of a part of it.

@@ -14,6 +14,8 @@
 //!   i = ix + nx iy. Frames of other pairs are [described](Pairs) one by one: areas of their own, maybe
 //!   bases of their own on a curved surface, maybe one half or quarter of a symmetric frame. A uniform
 //!   frame stores none of that, so that millions of pairs stay cheap.
+//! - Between a ball and its socket, or a shaft and its bush, a uniform frame is [drawn on their surface](Wrap): x and y are no
+//!   longer axes of space, and the approach closes each gap by its own share.
 
 mod centre;
 mod cloud;
@@ -27,6 +29,7 @@ mod pairs;
 mod part;
 mod rectangle;
 mod region;
+mod wrap;
 
 pub use crate::numerics::upwind::DegenerateCloud;
 pub use crate::numerics::vector::Values;
@@ -38,10 +41,12 @@ pub use measure::Measure;
 pub use pairs::{Pairs, PairsError};
 pub use part::{Extent, Part, extent};
 pub use rectangle::Rectangle;
+pub use wrap::Wrap;
 
 use rayon::prelude::*;
 
 use crate::body::Profile;
+use crate::body::profile::Round;
 use grid::Grid;
 use pairs::Described;
 
@@ -51,6 +56,8 @@ pub struct ContactFrame {
     shape: Shape,
     /// Gap of the undeformed bodies at first touch (m).
     gap: Vec<f64>,
+    /// How much of the approach closes the gap of each pair of a frame that is drawn on a round surface; none of others.
+    closing: Vec<f64>,
 }
 
 /// Where the pairs are.
@@ -85,7 +92,8 @@ impl ContactFrame {
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
         let rectangle = rectangle.into();
-        Self::on(Grid::on(rectangle, elements, false), profiles)
+        let wrap = Wrap::of(profiles).filter(|wrap| wrap.round == Round::Sphere);
+        Self::on(Grid { wrap, ..Grid::on(rectangle, elements, false) }, profiles)
     }
 
     /// A line of contact along y: that many elements over the width along x of a rectangle (as in [`Self::uniform`]), in
@@ -99,7 +107,8 @@ impl ContactFrame {
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
         let (rectangle, elements) = (rectangle.into(), [elements, 1]);
-        Self::on(Grid::on(rectangle, elements, true), profiles)
+        let wrap = Wrap::of(profiles).filter(|wrap| wrap.round == Round::Cylinder);
+        Self::on(Grid { wrap, ..Grid::on(rectangle, elements, true) }, profiles)
     }
 
     fn on(grid: Grid, profiles: [&dyn Profile; 2]) -> Result<Self, OffTheSurface> {
@@ -111,7 +120,7 @@ impl ContactFrame {
         let mut gap: Vec<f64> = (0..elements[0] * elements[1])
             .into_par_iter()
             .with_min_len(4096)
-            .map(|pair| recess(pair).iter().sum())
+            .map(|pair| undeformed(&grid, profiles, pair))
             .collect();
         if let Some(pair) = gap.iter().position(|gap| !gap.is_finite()) {
             let body = usize::from(recess(pair)[0].is_finite());
@@ -120,9 +129,20 @@ impl ContactFrame {
         // The bodies may touch between pairs, where the apex of most profiles is.
         let apex = || profiles.iter().map(|profile| profile.recess(0.0, 0.0)).sum();
         let apex = if grid.rectangle.holds([0.0; 2]) { apex() } else { f64::INFINITY };
-        let touch = gap.iter().copied().fold(apex, f64::min);
+        // What the approach closes by shares is measured from the pole.
+        let least = || gap.iter().copied().fold(apex, f64::min);
+        let touch = if grid.wrap.is_some() { 0.0 } else { least() };
         gap.iter_mut().for_each(|gap| *gap -= touch);
-        Ok(Self { shape: Shape::Uniform(grid), gap })
+        Ok(Self::of(grid, gap))
+    }
+
+    /// The pairs of a grid, with these gaps (m).
+    fn of(grid: Grid, gap: Vec<f64>) -> Self {
+        let closing = match grid.wrap {
+            Some(wrap) => (0..gap.len()).map(|pair| wrap.closing(grid.place(pair))).collect(),
+            None => vec![],
+        };
+        Self { shape: Shape::Uniform(grid), gap, closing }
     }
 
     /// The same pairs where the surfaces end, or repeat themselves, with them: all of them may touch.
@@ -138,7 +158,7 @@ impl ContactFrame {
     /// The pairs of a part of a uniform frame, with the gaps they have; `None` of another one.
     pub fn within(&self, part: &Part) -> Option<Self> {
         let Shape::Uniform(grid) = &self.shape else { return None };
-        Some(Self { shape: Shape::Uniform(grid.within(part)), gap: part.cut(&self.gap) })
+        Some(Self::of(grid.within(part), part.cut(&self.gap)))
     }
 
     /// The larger uniform frame that this one is a part of, with the gaps it has; `None` of another one, and where a profile
@@ -152,20 +172,19 @@ impl ContactFrame {
             .with_min_len(4096)
             .map(|pair| match part.place(pair) {
                 Some(own) => self.gap[own],
-                None => {
-                    let [x, y] = larger.place(pair);
-                    profiles.iter().map(|profile| profile.recess(x, y)).sum::<f64>() - touch
-                }
+                None => undeformed(&larger, profiles, pair) - touch,
             })
             .collect();
         let known = gap.iter().all(|gap| gap.is_finite());
-        known.then_some(Self { shape: Shape::Uniform(larger), gap })
+        known.then_some(Self::of(larger, gap))
     }
 
     /// How deep (m) the profiles lie below their planes where they touch first, as the gaps of a uniform frame count it.
     pub(crate) fn touch(&self, profiles: [&dyn Profile; 2]) -> f64 {
-        let [x, y] = self.place(0);
-        profiles.iter().map(|profile| profile.recess(x, y)).sum::<f64>() - self.gap[0]
+        match &self.shape {
+            Shape::Uniform(grid) => undeformed(grid, profiles, 0) - self.gap[0],
+            Shape::Described(_) => 0.0,
+        }
     }
 
     /// Number of pairs.
@@ -196,10 +215,15 @@ impl ContactFrame {
         }
     }
 
+    /// What the frame is drawn on between bodies that fit into each other; `None` of other frames.
+    pub fn wrap(&self) -> Option<Wrap> {
+        if let Shape::Uniform(grid) = &self.shape { grid.wrap } else { None }
+    }
+
     /// Whether all pairs have the axes of the frame for their basis.
     pub fn is_plane(&self) -> bool {
         match &self.shape {
-            Shape::Uniform(_) => true,
+            Shape::Uniform(grid) => grid.wrap.is_none(),
             Shape::Described(described) => described.pairs.bases.is_empty(),
         }
     }
@@ -261,8 +285,12 @@ impl ContactFrame {
         let area = self.element_area();
         match &self.shape {
             Shape::Uniform(grid) => {
-                let closed = grid.closed;
-                let even = Measure { closed, ..Measure::even(area) };
+                let (closed, even) = (grid.closed, Measure::even(area));
+                let closing = match &*self.closing {
+                    [] => even.closing,
+                    closing => Values::Each(closing),
+                };
+                let even = Measure { closed, closing, ..even };
                 if grid.line { Measure { side: grid.spacing()[0], ..even } } else { even }
             }
             Shape::Described(described) => {
@@ -331,6 +359,7 @@ impl ContactFrame {
     /// The unit vectors t1, t2 and n of a pair in the axes of the frame.
     pub fn basis(&self, pair: usize) -> [[f64; 3]; 3] {
         match &self.shape {
+            Shape::Uniform(Grid { wrap: Some(wrap), .. }) => wrap.basis(self.place(pair)),
             Shape::Uniform(_) => AXES,
             Shape::Described(described) => described.pairs.bases.get(pair).copied().unwrap_or(AXES),
         }
@@ -432,6 +461,15 @@ impl ContactFrame {
             Shape::Described(described) => return described.centre.value(field),
         };
         grid.at_centre(field)
+    }
+}
+
+/// How far (m) profiles are apart at a pair of a grid.
+fn undeformed(grid: &Grid, profiles: [&dyn Profile; 2], pair: usize) -> f64 {
+    let [x, y] = grid.place(pair);
+    match grid.wrap {
+        Some(wrap) => wrap.gap([x, y]),
+        None => profiles.iter().map(|profile| profile.recess(x, y)).sum(),
     }
 }
 

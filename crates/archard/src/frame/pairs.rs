@@ -179,7 +179,7 @@ impl ContactFrame {
             largest: largest(&pairs),
             pairs,
         };
-        Ok(Self { shape: Shape::Described(Box::new(described)), gap })
+        Ok(Self { shape: Shape::Described(Box::new(described)), gap, closing: vec![] })
     }
 }
 

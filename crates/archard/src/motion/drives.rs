@@ -1,5 +1,6 @@
 //! What drives bodies whose slip is sought: creepages or displacements, forces, and spin.
 
+use super::Axis;
 use crate::frame::Flow;
 
 /// What drives the bodies along one direction.
@@ -50,6 +51,8 @@ pub struct Drives {
     /// What the longitudinal creepage gains with the square of the place across (1/m^2): the rolling radius differs over a curved contact
     /// (H. L. Heathcote, *Proc. Inst. Automobile Engineers* 15 (1921) 569).
     pub bow: f64,
+    /// The axes of the bodies, from which spin and bow follow; `None` where these are given.
+    pub axes: Option<[Axis; 2]>,
     /// Whether the longitudinal creepage follows the worn radii of the bodies.
     pub worn_radius: bool,
 }
@@ -61,6 +64,7 @@ impl Drives {
         lateral: Drive::Slip(0.0),
         spin: 0.0,
         bow: 0.0,
+        axes: None,
         worn_radius: false,
     };
 

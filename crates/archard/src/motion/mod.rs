@@ -2,11 +2,13 @@
 //!
 //! A new motion is one file here and one line in [`MOTIONS`].
 
+mod axes;
 mod columns;
 mod creepage_sweep;
 mod drives;
 mod fretting;
 mod indentation;
+mod joint;
 mod path;
 mod progress;
 mod rolling;
@@ -17,9 +19,11 @@ mod similar;
 mod sliding;
 mod table;
 
+pub use axes::Axis;
 pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
+pub use joint::{Joint, Turn};
 pub use path::Path;
 pub use progress::Progress;
 pub use rolling::Rolling;
@@ -29,6 +33,7 @@ pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
 pub use table::{Row, Table};
 
+use crate::body::Body;
 use crate::frame::{Direction, Rectangle};
 use crate::parameters::Choice;
 use schedule::{
@@ -87,6 +92,8 @@ pub enum Lever {
     Even,
     /// In proportion to the distance (m) from x = y = 0, about which one body turns on the other.
     Radius,
+    /// As the surface of a ball moves where it turns: by its radius and the distance from the axis.
+    Turn,
 }
 
 /// What the bodies go through as the motion advances.
@@ -100,6 +107,8 @@ pub enum Sequence {
     Cycle(Shift),
     /// Stations on both surfaces, all pairs in contact sliding from one to the next.
     Table(Table),
+    /// Turns of a ball in its socket.
+    Joint(Joint),
 }
 
 /// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
@@ -198,6 +207,7 @@ impl Motion {
     /// Whether a step sees the surfaces in one position after the other.
     pub fn has_positions(&self) -> bool {
         self.amplitude().is_some()
+            || self.joint().is_some()
             || [Passage::Recurs, Passage::Roams].iter().any(|one| self.surfaces.contains(one))
     }
 
@@ -294,9 +304,27 @@ impl Motion {
         }
     }
 
+    /// The same of these bodies: what follows from their axes and shapes is found.
+    #[must_use]
+    pub fn of_bodies(self, bodies: &[Body; 2]) -> Self {
+        let across = 1 - self.direction.axis;
+        let curvature = |body: &Body| body.curvatures().map(|both| both[across]);
+        match (&self.slip, bodies.each_ref().map(curvature)) {
+            (Slip::Sought(drives), [Some(one), Some(two)]) => {
+                Self { slip: Slip::Sought(drives.about_axes([one, two])), ..self }
+            }
+            _ => self,
+        }
+    }
+
     /// The stations of a table.
     pub fn table(&self) -> Option<&Table> {
         if let Sequence::Table(table) = &self.sequence { Some(table) } else { None }
+    }
+
+    /// The turns of a ball in its socket.
+    pub fn joint(&self) -> Option<&Joint> {
+        if let Sequence::Joint(joint) = &self.sequence { Some(joint) } else { None }
     }
 
     /// Whether the surface of a body moves under the contact from station to station of a table.
@@ -316,6 +344,7 @@ pub const MOTIONS: &[Choice<Planned>] = &[
     fretting::CHOICE,
     path::CHOICE,
     table::CHOICE,
+    joint::CHOICE,
     sliding::CHOICE,
     rotation::CHOICE,
     rolling::CHOICE,

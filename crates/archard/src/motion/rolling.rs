@@ -5,6 +5,7 @@
 //! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
+use super::axes::{self, Axis};
 use super::{
     APPROACH, Control, Drive, Drives, LOAD, Motion, Passage, Planned, Progress, Schedule, Sequence,
     Slip, Stepping, TOLERANCE, control, few_steps, pressing,
@@ -23,6 +24,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LATERAL_CREEPAGE,
         LATERAL_FORCE,
         SPIN,
+        axes::AXIS_ONE,
+        axes::AXIS_TWO,
         DIRECTION,
         SPEED,
         REVOLUTIONS,
@@ -37,6 +40,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
     build: |values| {
         let revolutions = values.require("revolutions")?;
         let mut rolling = Rolling::read(values)?;
+        rolling.drives.axes = axes::read(values)?;
         rolling.drives.worn_radius = values.word("radius") == Some("worn");
         rolling.over(revolutions, control(values)?, stepping(values, revolutions)?)
     },
@@ -152,6 +156,12 @@ impl Rolling {
     #[must_use]
     pub fn bow(self, bow: f64) -> Self {
         Self { drives: Drives { bow, ..self.drives }, ..self }
+    }
+
+    /// The same of bodies that turn about axes, body 1 first: spin and bow follow from these and from their shapes.
+    #[must_use]
+    pub fn about(self, axes: [Axis; 2]) -> Self {
+        Self { drives: Drives { axes: Some(axes), ..self.drives }, ..self }
     }
 
     /// The same at that speed of rolling (m/s).

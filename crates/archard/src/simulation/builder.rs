@@ -189,6 +189,7 @@ impl Builder {
             contact,
             periodic,
         } = self;
+        let motion = motion.of_bodies(&bodies);
         let kernel = |frame: ContactFrame| -> Result<(ContactFrame, Arc<dyn Compliance>), Refused> {
             if bodies.iter().any(Body::has_image) {
                 let compliance =

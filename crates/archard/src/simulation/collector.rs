@@ -87,7 +87,8 @@ impl<'a> Collector<'a> {
         let flash = self.problem.flash_for_laws(state);
         let warm = flash.and_then(|flash| Some(flash.temperatures()?.to_vec()));
         move |pair| {
-            let heading = direction.unwrap_or_else(|| motion.heading(place(pair)));
+            let own = position.headings.get(pair).copied();
+            let heading = own.or(direction).unwrap_or_else(|| motion.heading(place(pair)));
             let rubbing = self
                 .problem
                 .rubbing(state.pressure[pair], distance.at(pair), heading)

@@ -29,6 +29,8 @@ pub(super) const MOMENT: &str = "moment_z_Nm";
 pub(super) const DISSIPATED: &str = "dissipated_J";
 /// Area in contact (m^2).
 pub const CONTACT_AREA: &str = "contact_area_m2";
+/// Angle from the pole to the edge of the contact of bodies that fit into each other (deg).
+pub const EDGE_ANGLE: &str = "edge_angle_deg";
 /// Deepest imprint of each body that yields (m).
 pub const IMPRINT: &str = "imprint_BODY_m";
 /// Volume of its imprint (m^3).
@@ -188,6 +190,13 @@ pub const COLUMNS: &[Column] = &[
         Class::Area,
         "area in contact, up to the edge between elements",
         |r, _| Some(r.state.contact_area(r.problem)),
+    ),
+    column(
+        EDGE_ANGLE,
+        "deg",
+        Class::Area,
+        "angle from the pole to the edge of the contact, by its area; of a ball in a socket, or a shaft in a bush",
+        |r, _| edge_angle(r).map(f64::to_degrees),
     ),
     column(
         "contact_spots",
@@ -481,6 +490,14 @@ pub fn of_body(column: &str, body: &str) -> String {
 pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
     let (start, end) = column.split_once(BODY)?;
     name.strip_prefix(start)?.strip_suffix(end)
+}
+
+/// Angle (rad) from the pole to the edge of a contact that is drawn on a round surface; `None` of others.
+fn edge_angle(report: &Report<'_>) -> Option<f64> {
+    let frame = &report.problem.frame;
+    let wrap = frame.wrap()?;
+    let length = if frame.is_line() { frame.size()[1] } else { 1.0 };
+    Some(wrap.edge(report.state.contact_area(report.problem) / length))
 }
 
 /// A number of bodies that roll with friction; `None` of others.

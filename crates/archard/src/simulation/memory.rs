@@ -185,6 +185,10 @@ impl History {
         if simulation.problem.motion.driven(increment.progress).is_some() {
             return self.solve_rolling(simulation, increment, (gap, addition), compliance, effort);
         }
+        if let Some(wrap) = simulation.problem.frame.wrap() {
+            let body = (compliance, wrap);
+            return self.solve_free(simulation, increment, (gap, addition), body, effort);
+        }
         self.solve_normal(simulation, increment, gap, addition, compliance, effort)
     }
 

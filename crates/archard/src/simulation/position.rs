@@ -24,6 +24,8 @@ pub(super) struct Position {
     pub control: Option<Control>,
     /// Along which direction body 2 slides over body 1, and how fast (m/s); as the motion says where there is nothing.
     pub heading: Option<([f64; 2], f64)>,
+    /// The same of each pair along its t1 and t2, of any length; none where one holds for all.
+    pub headings: Vec<[f64; 2]>,
 }
 
 impl Position {
@@ -37,6 +39,7 @@ impl Position {
             ways: [ways(), ways()],
             control: None,
             heading: None,
+            headings: vec![],
         }
     }
 

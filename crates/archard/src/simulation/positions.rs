@@ -4,6 +4,7 @@ use super::position::Positions;
 use super::recurring::Recurring;
 use super::stations::Stations;
 use super::swing::{Swing, count};
+use super::turning::Turning;
 use crate::motion::{Motion, Passage};
 use crate::problem::ContactProblem;
 
@@ -12,6 +13,9 @@ pub(super) fn positions<'a>(problem: &'a ContactProblem) -> Option<Box<dyn Posit
     let motion = &problem.motion;
     if let Some(table) = motion.table() {
         return Some(Box::new(Stations::of(problem, table)));
+    }
+    if let Some(joint) = motion.joint() {
+        return Some(Box::new(Turning::of(problem, joint)?));
     }
     if let Some(moves) = motion.surfaces.iter().position(|one| *one == Passage::Recurs) {
         return Some(Box::new(Recurring::of(problem, moves)));
@@ -26,8 +30,9 @@ pub fn solves_of_a_step(
     (element, elements): (f64, usize),
     contact: Option<f64>,
 ) -> Option<u64> {
-    let positions = match motion.table() {
-        Some(table) => table.rows().len() as u64,
+    let stations = motion.table().map(|table| table.rows().len());
+    let positions = match stations.or(motion.joint().map(|joint| joint.turns().len())) {
+        Some(stations) => stations as u64,
         None if motion.surfaces.contains(&Passage::Recurs) => elements as u64,
         None => count(motion, element, contact)?,
     };

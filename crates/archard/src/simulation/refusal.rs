@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use super::fitted::{Kind, fitted};
 use crate::body::Body;
 use crate::compliance::bem::contact::ContactError;
 use crate::frame::{ContactFrame, OffTheSurface};
@@ -25,6 +26,12 @@ pub enum Part {
     Share(String),
     /// The hardness of a body, by its name.
     Hardness(String),
+    /// The profile of the body of that name.
+    Profile(String),
+    /// The layers, or the material, of the body of that name.
+    Material(String),
+    /// The frame.
+    Frame,
     /// The law of friction.
     Friction,
     /// The motion.
@@ -41,6 +48,9 @@ impl fmt::Display for Part {
             Self::Wear(body) => write!(f, "the wear law of `{body}`"),
             Self::Share(body) => write!(f, "the share of the heat of `{body}`"),
             Self::Hardness(body) => write!(f, "the hardness of `{body}`"),
+            Self::Profile(body) => write!(f, "the profile of `{body}`"),
+            Self::Material(body) => write!(f, "the material of `{body}`"),
+            Self::Frame => f.write_str("the frame"),
             Self::Friction => f.write_str("the law of friction"),
             Self::Motion => f.write_str("the motion"),
             Self::Bodies => f.write_str("the bodies"),
@@ -61,7 +71,7 @@ pub struct Refusal {
 }
 
 impl Refusal {
-    fn new(part: Part, what: impl Into<String>, help: impl Into<String>) -> Self {
+    pub(super) fn new(part: Part, what: impl Into<String>, help: impl Into<String>) -> Self {
         Self { part, what: what.into(), help: help.into() }
     }
 }
@@ -114,6 +124,8 @@ impl ContactProblem {
         all.extend(across_symmetry(motion, frame.mirrored()));
         all.extend(friction.as_deref().and_then(|law| inclined(law, frame.mirrored())));
         all.extend(of_pairs(motion, frame));
+        let shape = Kind { line: frame.is_line(), closed: frame.measure().closed };
+        all.extend(fitted(bodies, shape, friction.is_some(), motion));
         all.extend(roaming(bodies, motion));
         if self.goes_by_temperature()
             && let Err(reason @ NoTemperature::NoRows) = self.tells_temperature()
@@ -131,6 +143,15 @@ pub fn of_laws(
     friction: Option<&dyn Friction>,
     motion: &Motion,
 ) -> Vec<Refusal> {
+    let about_axes = matches!(&motion.slip, Slip::Sought(drives) if drives.axes.is_some());
+    let unshaped = bodies.iter().find(|body| about_axes && body.curvatures().is_none());
+    let unshaped = unshaped.map(|body| {
+        let what = format!(
+            "how bodies creep about their axes follows from their curvatures, and the shape of `{}` has none",
+            body.name
+        );
+        Refusal::new(Part::Motion, what, "give the spin in place of the axes")
+    });
     let of_friction = friction.and_then(|law| {
         let known = Known { bodies, friction: true, motion };
         law.inputs().iter().find_map(|input| match input {
@@ -145,7 +166,7 @@ pub fn of_laws(
     let of_wear = bodies
         .iter()
         .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
-    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).collect()
+    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).chain(unshaped).collect()
 }
 
 /// A body that yields where its surface does not stay opposite the other, or rubs in increments, or is meshed.
@@ -194,7 +215,8 @@ impl Known<'_> {
         law.inputs().iter().find_map(lacks).or_else(|| {
             let slides = self.motion.lever_arm().is_some()
                 && self.motion.track().is_none()
-                && self.motion.table().is_none();
+                && self.motion.table().is_none()
+                && self.motion.joint().is_none();
             (slides && law.per() == Per::Cycle).then(|| {
                 let what =
                     "takes a whole cycle at once, and bodies that slide on the same spot have none";

@@ -196,10 +196,15 @@ fn cut(near: &Range<isize>, count: isize) -> Vec<([isize; 2], bool)> {
     below.chain(blocks(0, count, true)).chain(above).collect()
 }
 
-/// How deep (m) both surfaces lie at an element, counted from the first one of the frame.
+/// How deep (m) both surfaces lie at an element, counted from the first one of the frame; how far they have to approach to touch there,
+/// where the approach does not close all of a gap.
 fn gap(problem: &ContactProblem, place: [isize; 2]) -> f64 {
     let (corner, spacing) = (problem.frame.rectangle().corner(), problem.frame.spacing());
     let [x, y] = [0, 1].map(|axis| corner[axis] + (place[axis] as f64 + 0.5) * spacing[axis]);
+    if let Some(wrap) = problem.frame.wrap() {
+        let closing = wrap.closing([x, y]);
+        return if closing > 0.0 { wrap.gap([x, y]) / closing } else { f64::INFINITY };
+    }
     problem.bodies.iter().map(|body| body.profile.recess(x, y)).sum()
 }
 

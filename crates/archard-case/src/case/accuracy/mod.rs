@@ -174,6 +174,9 @@ struct Frame {
 fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let parts =
         Parts::of(case).map_err(|error| Problem::error(Key::default(), error.to_string()))?;
+    if let Some(problem) = parts.unfit() {
+        return Err(problem);
+    }
     let foreseen = |progress: f64| parts.estimate(&Estimator::default(), progress);
     let outputs = case.output.places(parts.schedule.extent);
     let first = foreseen(outputs.first().copied().unwrap_or_default());

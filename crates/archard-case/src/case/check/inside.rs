@@ -5,7 +5,7 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::compliance::bem::Surface;
 use archard::elastic::Pressed;
-use archard::motion::Sequence;
+use archard::motion::{Lever, Passage, Sequence};
 
 /// Points outside of their bodies, sections without places.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
@@ -82,6 +82,20 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     });
     if let Some(why) = refused {
         return vec![Problem::error(key(name), why).at_name()];
+    }
+    let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
+    if let Some(fatigue) = fatigue {
+        let key = key("stress").child("fatigue");
+        let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
+        if !passes || parts.motion.lever_arm() == Some(Lever::Radius) {
+            let message = "is for a body whose points pass through the contact along an axis, one after the other; under this motion they do not";
+            return vec![Problem::error(key, message).at_name()];
+        }
+        let strength = stresses.as_ref().and_then(|own| own.strength).or(body.known_hardness());
+        if fatigue.fatemi_socie.is_some() && strength.is_none() {
+            let message = "needs the `yield_strength`, or the hardness of the body";
+            return vec![Problem::error(key.child("fatemi_socie"), message).at_name()];
+        }
     }
     let above = points.iter().filter(|point| point.place[2] > 0.0).map(|point| {
         let message =

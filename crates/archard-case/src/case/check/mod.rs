@@ -50,6 +50,7 @@ use archard::estimate::{Course, Estimate, Estimator, Subject};
 use archard::friction::Friction;
 use archard::motion::{Control, Lever, Motion, Schedule};
 use archard::parameters::Values;
+use archard::simulation::fitted::{Kind, fitted};
 use archard::simulation::refusal::{self, Part, Refusal};
 
 /// The parts of a case, built.
@@ -65,11 +66,12 @@ impl<'a> Parts<'a> {
     pub(super) fn of(case: &'a Case) -> Result<Self, BuildError> {
         let [first, second] = &case.bodies;
         let (motion, schedule) = case.motion.build()?;
+        let bodies = [first.build(&case.frame)?, second.build(&case.frame)?];
         let mut parts = Self {
             case,
-            bodies: [first.build(&case.frame)?, second.build(&case.frame)?],
             friction: case.friction.as_ref().map(Chosen::build).transpose()?,
-            motion,
+            motion: motion.of_bodies(&bodies),
+            bodies,
             schedule,
         };
         warmed::warm(&mut parts);
@@ -92,7 +94,9 @@ impl<'a> Parts<'a> {
     pub(super) fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
         let control = self.schedule.control;
         let load_distance = match control {
-            Control::Load(load) if self.motion.lever_arm() != Some(Lever::Radius) => {
+            Control::Load(load)
+                if !matches!(self.motion.lever_arm(), Some(Lever::Radius | Lever::Turn)) =>
+            {
                 Some(load * self.motion.slip(progress))
             }
             _ => None,
@@ -164,11 +168,21 @@ impl<'a> Parts<'a> {
                 (Key::of(["friction", law]), true)
             }
             Part::Motion => (Key::of(["motion", self.case.motion.choice.name]), true),
+            Part::Profile(body) => (Key::of(["body", &body, "profile"]), false),
+            Part::Material(body) => (Key::of(["body", &body]), false),
+            Part::Frame => (Key::of(["frame"]), false),
             Part::Share(_) | Part::Bodies | Part::Value(_) => return None,
         };
         let problem = Problem::error(key, what);
         let problem = if help.is_empty() { problem } else { problem.help(help) };
         Some(if at_name { problem.at_name() } else { problem })
+    }
+
+    /// What does not fit bodies that fit into each other, and keeps them from being pressed together.
+    pub(super) fn unfit(&self) -> Option<Problem> {
+        let kind = Kind { line: self.case.frame.line, closed: self.case.frame.periodic };
+        let refusal = fitted(&self.bodies, kind, self.friction.is_some(), &self.motion);
+        refusal.and_then(|refusal| self.refused(refusal))
     }
 
     /// The key of the frame's `size` or `elements`; where a body is meshed, that of its zone.
@@ -279,6 +293,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(of_frame.and_then(|refusal| parts.refused(refusal)));
     let roaming = refusal::roaming(&parts.bodies, &parts.motion);
     problems.extend(roaming.and_then(|refusal| parts.refused(refusal)));
+    problems.extend(parts.unfit());
     // The gaps of a frame that does not fit are not made.
     if !sound(&problems) {
         return problems;

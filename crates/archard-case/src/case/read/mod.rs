@@ -4,6 +4,7 @@ mod body;
 mod elastic;
 mod finite;
 mod frame;
+mod gear;
 mod image;
 mod material;
 mod output;

@@ -5,7 +5,7 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Item, Node};
-use crate::output::{COMPONENTS, WantedStresses};
+use crate::output::{COMPONENTS, WantedFatigue, WantedStresses};
 use archard::parameters::{Bound, Parameter, Quantity};
 
 /// An even stress.
@@ -23,6 +23,35 @@ const fn component(name: &'static str) -> Parameter {
         .bound(Bound::Any)
 }
 
+/// Criteria of fatigue.
+const FATIGUE: &[Parameter] = &[
+    Parameter::optional(
+        "crossland",
+        Quantity::Number,
+        "factor on the largest hydrostatic stress, next to the amplitude of shear",
+    ),
+    Parameter::optional(
+        "dang_van",
+        Quantity::Number,
+        "factor on the hydrostatic stress, next to the shear at the same moment",
+    ),
+    Parameter::optional(
+        "findley",
+        Quantity::Number,
+        "factor on the largest normal stress, next to the amplitude of shear on the same plane",
+    ),
+    Parameter::optional(
+        "fatemi_socie",
+        Quantity::Number,
+        "factor on the largest normal stress over the yield strength, for the amplitude of shear strain on the same plane",
+    ),
+    Parameter::optional(
+        "smith_watson_topper",
+        Quantity::Truth,
+        "whether the largest normal stress times the amplitude of normal strain is sought",
+    ),
+];
+
 const PARAMETERS: &[Parameter] = &[
     Parameter::optional(
         "field",
@@ -33,6 +62,11 @@ const PARAMETERS: &[Parameter] = &[
         "initial",
         Quantity::Section(INITIAL),
         "an even stress that is added: residual, or what the whole body bears",
+    ),
+    Parameter::optional(
+        "fatigue",
+        Quantity::Section(FATIGUE),
+        "criteria of fatigue of points that pass through the contact, with their factors",
     ),
     Parameter::optional(
         "yield_strength",
@@ -76,12 +110,22 @@ impl Reader<'_> {
         let initial = values.section("initial");
         let initial =
             COMPONENTS.map(|name| initial.and_then(|own| own.number(name)).unwrap_or_default());
+        let fatigue = values.section("fatigue");
+        let factor = |name: &str| fatigue.and_then(|own| own.number(name));
+        let fatigue = WantedFatigue {
+            crossland: factor("crossland"),
+            dang_van: factor("dang_van"),
+            findley: factor("findley"),
+            fatemi_socie: factor("fatemi_socie"),
+            smith_watson_topper: fatigue.is_some_and(|own| own.is_true("smith_watson_topper")),
+        };
         let (field, strength) = (values.is_true("field"), values.number("yield_strength"));
         (self.problems.len() == before).then_some(WantedStresses {
             depths,
             field,
             initial,
             strength,
+            fatigue,
         })
     }
 

@@ -79,6 +79,16 @@ impl Reader<'_> {
             let message = format!("a second {which} next to `{}`: keep one", entry.name);
             self.push(Problem::error(bodies.key.child(&second.name), message).at_name());
         }
+        self.rolling_body(bodies, entry, choices)
+    }
+
+    /// A body with a profile of a list.
+    pub(super) fn rolling_body<S>(
+        &mut self,
+        bodies: &Section<'_>,
+        entry: &Entry,
+        choices: &'static [Choice<S>],
+    ) -> Option<Rolled<S>> {
         let key = bodies.key.child(&entry.name);
         if !is_bare(&entry.name) {
             let message = "names of bodies are of letters, digits, _ and -";
@@ -91,7 +101,7 @@ impl Reader<'_> {
         let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
         let wear = self.wear(&section);
         let Some(material) = material? else {
-            let message = "wheel and rail are elastic";
+            let message = "bodies that roll are elastic";
             self.push(Problem::error(section.key.child("rigid"), message).at_name());
             return None;
         };

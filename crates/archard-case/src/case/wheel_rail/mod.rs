@@ -4,7 +4,7 @@ mod forecast;
 mod history;
 mod limits;
 mod prepared;
-mod print;
+pub(super) mod print;
 mod running;
 mod shape;
 

@@ -30,7 +30,7 @@ impl Display for WheelRailCase {
     }
 }
 
-fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
+pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
     let Rolled { name, material, hardness, profile, wear } = body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;

@@ -9,7 +9,7 @@ use super::{keep, worst};
 use crate::verdict::{self, Line};
 use archard::body::Body;
 use archard::estimate::Conforming;
-use archard::frame::ContactFrame;
+use archard::frame::{ContactFrame, VectorField};
 use archard::problem::{ContactProblem, Flash};
 use archard::simulation::Report;
 
@@ -27,6 +27,11 @@ pub(super) struct Limits {
     /// What a plane frame neglects of bodies that conform: the form of the profiles, and how they slope.
     form: Option<f64>,
     slope: Option<f64>,
+    /// Where the frame is drawn on a round surface: how far the contact reaches (degrees), and the clearance over the radius.
+    angle: Option<f64>,
+    clearance: Option<f64>,
+    /// There, the force that is left across the axis of the load, over the load.
+    side: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
     /// The warmest place (K).
@@ -58,6 +63,7 @@ impl Limits {
         if let Some(extent) = Extent::of(&problem.frame, &state.pressure) {
             self.take_extent(problem, extent);
         }
+        worst(&mut self.side, side(problem, &state.pressure));
         let warmest = flash.map(|flash| {
             let rise = flash.rise.iter().copied().fold(0.0, f64::max);
             flash.bulk.unwrap_or_default() + rise
@@ -85,6 +91,11 @@ impl Limits {
         let conforming = conforming.filter(|_| !problem.bodies.iter().any(is_meshed));
         worst(&mut self.form, conforming.map(|own| own.form));
         worst(&mut self.slope, conforming.map(|own| own.slope));
+        if let Some(wrap) = frame.wrap() {
+            let reach = wrap.closing(if frame.is_line() { [x, 0.0] } else { [x.max(y), 0.0] });
+            worst(&mut self.angle, Some(reach.clamp(-1.0, 1.0).acos().to_degrees()));
+            self.clearance = Some(wrap.clearance / wrap.radius);
+        }
         if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
             let length = frame.rectangle().size[axis] / size[1 - axis];
             self.length = Some(self.length.map_or(length, |known| known.min(length)));
@@ -103,6 +114,9 @@ impl Limits {
             of(&self.radius, verdict::radius),
             self.form.map(verdict::form),
             self.slope.map(verdict::slope),
+            self.angle.map(verdict::angle),
+            self.clearance.map(verdict::clearance),
+            self.side.map(verdict::side),
             self.length.map(verdict::length),
             self.temperature.map(verdict::temperature),
             self.creepage.map(verdict::creepage),
@@ -110,6 +124,16 @@ impl Limits {
         ];
         lines.into_iter().flatten()
     }
+}
+
+/// The force of pressures (Pa) across the axis of the load over that along it, of bodies that fit into each other; `None` of others,
+/// and without a load.
+fn side(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
+    problem.frame.wrap()?;
+    let mut tractions = VectorField::zeros(pressure.len());
+    tractions.n.iter_mut().zip(pressure).for_each(|(normal, pressure)| *normal = -pressure);
+    let [x, y, along] = problem.frame.force(&tractions);
+    (along != 0.0).then(|| x.hypot(y) / along.abs())
 }
 
 /// The largest part of a layer that is worn off at some depth (m), of those that are stiffer or softer by half than what is below

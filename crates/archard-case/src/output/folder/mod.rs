@@ -211,7 +211,14 @@ impl ResultFolder {
 
     /// Whether what was shown so far can be believed, with what the user was warned of.
     pub fn verdict(&self, warnings: &[Warning]) -> Verdict {
-        self.evidence.verdict().warned_of(warnings)
+        self.own_verdict().warned_of(warnings)
+    }
+
+    /// The same without what the user was warned of.
+    fn own_verdict(&self) -> Verdict {
+        let mut verdict = self.evidence.verdict();
+        verdict.lines.extend(self.stresses.lines.iter().cloned());
+        verdict
     }
 
     /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
@@ -222,7 +229,7 @@ impl ResultFolder {
     pub fn finish(mut self, totals: &Totals) -> Result<Verdict, Error> {
         self.behind.wait()?;
         self.tables.values().try_for_each(Table::sync)?;
-        let own = self.evidence.verdict();
+        let own = self.own_verdict();
         let doubts = own.complaints().map(|line| format!("{line} ({})", line.word().text()));
         let besides = own.besides(&totals.warnings).map(|warning| warning.text.clone());
         let told: Vec<String> = besides.chain(doubts).collect();

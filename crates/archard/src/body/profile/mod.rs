@@ -7,6 +7,7 @@
 mod axisymmetric_power;
 mod cylinder;
 mod disc;
+mod fitted;
 mod flat;
 mod flat_end;
 mod paraboloid;
@@ -21,6 +22,7 @@ use std::fmt::Debug;
 pub use axisymmetric_power::AxisymmetricPower;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
+pub use fitted::{Fitted, Round};
 pub use flat::Flat;
 pub use flat_end::FlatEnd;
 pub use paraboloid::Paraboloid;
@@ -61,6 +63,11 @@ pub trait Profile: Debug + Send + Sync {
     fn curvatures(&self) -> Option<[f64; 2]> {
         None
     }
+
+    /// What the surface is of a body that fits into another one, so that the frame is drawn on it; `None` of others.
+    fn fitted(&self) -> Option<Fitted> {
+        None
+    }
 }
 
 /// The profiles a case can name.
@@ -69,6 +76,10 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     paraboloid::CHOICE,
     cylinder::CHOICE,
     disc::CHOICE,
+    fitted::BALL,
+    fitted::SOCKET,
+    fitted::SHAFT,
+    fitted::BUSH,
     flat::CHOICE,
     flat_end::CHOICE,
     power::CHOICE,

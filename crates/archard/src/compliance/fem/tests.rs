@@ -3,6 +3,7 @@ use std::sync::Arc;
 use faer::Mat;
 
 use super::Solid;
+use super::held::held;
 use crate::body::Body;
 use crate::body::mesh::{MESHES, Mesh, Meshed, Shape, Supported, Volume};
 use crate::body::profile::Flat;
@@ -195,5 +196,21 @@ fn applications_keep_the_work_and_are_those_of_the_matrix() {
     for (before, after) in of_one.components().into_iter().zip(again.components()) {
         let largest = before.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
         assert!(before.iter().zip(after).all(|(a, b)| (a - b).abs() < 1e-9 * largest));
+    }
+}
+
+/// A group of the four sides of a block holds its edges across both sides that meet there, and its bottom the corners along z too.
+#[test]
+fn rollers_on_one_group_of_several_faces_hold_their_edges_both_ways() {
+    let meshed = block(SIZE, [2, 2, 2]);
+    let volume = meshed.volume.clone().unwrap();
+    let own = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name).unwrap();
+    let supports = ["bottom", "sides"].map(|name| (own(name), Support::Roller)).to_vec();
+    let [nodes, _] = held(&Finite { supports, ..finite(meshed) }, &volume);
+    for (node, held) in volume.nodes.iter().zip(&nodes) {
+        let on = |axis: usize| (2.0 * node[axis].abs() - SIZE[axis]).abs() < 1e-9;
+        let bottom = (node[2] + SIZE[2]).abs() < 1e-9;
+        let known = [on(0), on(1), bottom].into_iter().filter(|on| *on).count();
+        assert_eq!(held.count, known, "{node:?}");
     }
 }

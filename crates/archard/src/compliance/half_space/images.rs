@@ -30,6 +30,9 @@ use super::stack::{Scalars, Stack};
 /// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
 /// missed is computed, and bounded by `MISSED`.
 const COUNT: usize = 32;
+/// The same of round layers, whose compliance approaches that of a half-space by 1/(kR) as waves become shorter, and the depth of the
+/// first one over the radius: shells and rings of a fiftieth to twice their radius are met to 1e-5.
+const ROUND: (usize, f64) = (48, 1e-3);
 /// Wave numbers that the weights are fitted on, for each image.
 const SAMPLES: usize = 25;
 /// The depth of the first image over the thickness of the uppermost layer, and that of the last over the reach of the stack.
@@ -102,16 +105,20 @@ impl Image {
 /// The images of a stack, and by how much they miss its compliance at most, relative to that of its uppermost layer; none, and
 /// without bound, where their equations have no solution.
 pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
-    let [first, last] = [DEPTHS[0] * stack.layers[0].thickness, DEPTHS[1] * stack.reach()];
-    let depths = geometric(first, last, COUNT);
-    let thickness = stack.layers[0].thickness;
-    let waves = geometric(WAVES[0] / last, WAVES[1] / thickness, SAMPLES * COUNT);
+    let (reach, thickness) = (stack.reach(), stack.layers[0].thickness);
+    let (count, first) = match stack.hollow {
+        Some((_, radius)) => (ROUND.0, (DEPTHS[0] * thickness).min(ROUND.1 * radius)),
+        None => (COUNT, DEPTHS[0] * thickness),
+    };
+    let last = DEPTHS[1] * reach;
+    let depths = geometric(first, last, count);
+    let waves = geometric(WAVES[0] / last, DEPTHS[0] * WAVES[1] / first, SAMPLES * count);
     let (top, bottom) = (stack.top(), stack.bottom());
     let less_top = |scalars: Scalars| -> Scalars { [0, 1, 2, 3].map(|i| scalars[i] - top[i]) };
     let wanted: Vec<Scalars> = waves.iter().map(|&k| less_top(stack.compliance(k))).collect();
     // The longest waves count as what they do to displacements.
     let weight = |row: usize| match waves.get(row) {
-        Some(k) => (k * stack.reach()).recip().max(1.0),
+        Some(k) => (k * reach).recip().max(1.0),
         None => EXACTLY,
     };
     let term = |row: usize, image: usize| match waves.get(row) {
@@ -120,13 +127,13 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     };
     let last = less_top(bottom);
     let rows = waves.len() + 1;
-    let terms = Mat::from_fn(rows, COUNT, |row, image| weight(row) * term(row, image));
+    let terms = Mat::from_fn(rows, count, |row, image| weight(row) * term(row, image));
     let sums = Mat::from_fn(rows, 4, |row, i| weight(row) * wanted.get(row).unwrap_or(&last)[i]);
     let Some(weights) = least_squares(&terms, &sums) else { return (vec![], f64::INFINITY) };
     let missed = wanted.iter().enumerate().flat_map(|(row, wanted)| {
         let (weights, term) = (&weights, &term);
         (0..4).map(move |i| {
-            let sum: f64 = (0..COUNT).map(|image| weights[(image, i)] * term(row, image)).sum();
+            let sum: f64 = (0..count).map(|image| weights[(image, i)] * term(row, image)).sum();
             (wanted[i] - sum).abs() / top[2]
         })
     });

@@ -128,9 +128,10 @@ impl Influence {
     }
 
     /// Whether so many elements lie above the depth that displacements are measured from, where there is one: they have
-    /// to be positive.
+    /// to be positive. Layers on something rigid need none, and may rise beside what presses them.
     pub(super) fn reaches(&self, elements: [usize; 2]) -> bool {
-        self.depths.is_none() || self.within([elements[0], 1]).nn().iter().all(|own| *own > 0.0)
+        let measured = self.depths.is_some_and(|added| added != [0.0; 3]);
+        !measured || self.within([elements[0], 1]).nn().iter().all(|own| *own > 0.0)
     }
 
     /// The same on another number of elements of the same size.

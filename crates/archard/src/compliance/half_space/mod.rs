@@ -7,6 +7,7 @@ mod influence;
 pub mod inside;
 mod periodic;
 mod rolling;
+mod round;
 mod shifting;
 mod stack;
 
@@ -14,9 +15,10 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use crate::body::profile::Round;
 use crate::body::{Layer, Material};
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Flow, Part, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, VectorField, Wrap};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 use images::Image;
@@ -63,7 +65,8 @@ impl HalfSpace {
         Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()))
     }
 
-    /// The half-spaces of these materials, `None` for something rigid, under layers from the surface down.
+    /// The half-spaces of these materials, `None` for something rigid, under layers from the surface down. Where the frame is drawn
+    /// on a [round surface](crate::frame::Wrap), those of the hollow body are round too.
     pub fn layered(
         materials: [Option<&Material>; 2],
         layers: [&[Layer]; 2],
@@ -71,7 +74,7 @@ impl HalfSpace {
     ) -> Self {
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::new(constants, frame.elements(), frame.spacing());
-        Self::on(influence.layered(images(materials, layers)))
+        Self::on(influence.layered(images(materials, layers, frame.wrap())))
     }
 
     /// The half-spaces of these materials in plane strain, under the elements of a line of contact along y. Their
@@ -85,14 +88,27 @@ impl HalfSpace {
         let (strips, width) = (frame.elements()[0], frame.spacing()[0]);
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::plane_strain(constants, materials, depths, strips, width);
-        Self::on(influence.layered(images(materials, layers)))
+        Self::on(influence.layered(images(materials, layers, frame.wrap())))
     }
 
     /// Why layers on a material are not computed, if they are not: their images miss the compliance.
     pub fn refuses(material: Option<&Material>, layers: &[Layer]) -> Option<String> {
+        Self::misses(material, layers, None)
+    }
+
+    /// The same of layers of a hollow of some radius (m) that are round too.
+    pub fn refuses_round(layers: &[Layer], hollow: (Round, f64)) -> Option<String> {
+        Self::misses(None, layers, Some(hollow))
+    }
+
+    fn misses(
+        base: Option<&Material>,
+        layers: &[Layer],
+        hollow: Option<(Round, f64)>,
+    ) -> Option<String> {
         let missed = match layers {
             [] => 0.0,
-            layers => images::images(&Stack { layers, base: material }).1,
+            layers => images::images(&Stack { layers, base, hollow }).1,
         };
         (missed > MISSED || missed.is_nan()).then(|| {
             format!(
@@ -278,9 +294,14 @@ fn uppermost<'a>(
 }
 
 /// The images of the layers of both bodies. What couples pressures and friction has the sign of body 1.
-fn images(materials: [Option<&Material>; 2], layers: [&[Layer]; 2]) -> Vec<Image> {
+fn images(
+    materials: [Option<&Material>; 2],
+    layers: [&[Layer]; 2],
+    wrap: Option<Wrap>,
+) -> Vec<Image> {
     let of = |body: usize| {
-        let stack = Stack { layers: layers[body], base: materials[body] };
+        let hollow = wrap.filter(|wrap| wrap.hollow == body).map(|wrap| (wrap.round, wrap.radius));
+        let stack = Stack { layers: layers[body], base: materials[body], hollow };
         let images = if layers[body].is_empty() { vec![] } else { images::images(&stack).0 };
         let sign = if body == 0 { 1.0 } else { -1.0 };
         images.into_iter().map(move |image| Image {

@@ -154,7 +154,7 @@ impl One {
             _ if k == 0.0 => self.mean(),
             ([], None) => [0.0; 4],
             ([], Some(base)) => half_space(base).map(|value| value / k),
-            _ => Stack { layers, base }.compliance(k).map(|value| value / k),
+            _ => Stack { layers, base, hollow: None }.compliance(k).map(|value| value / k),
         }
     }
 

@@ -18,6 +18,8 @@
 //! solutions that grow upward are those that are wanted, so nothing cancels; both sides are divided by exp(q). Layers were first
 //! computed by D. M. Burmister, *J. Appl. Phys.* 16 (1945) 89.
 
+use super::round;
+use crate::body::profile::Round;
 use crate::body::{Layer, Material};
 
 /// C11, C12, C22 and CT, times the wave number (1/Pa).
@@ -36,13 +38,20 @@ pub(super) struct Stack<'a> {
     /// One at least.
     pub layers: &'a [Layer],
     pub base: Option<&'a Material>,
+    /// The radius (m) of a hollow whose layers are round too, on something rigid; `None` of plane layers. Its friction is that of
+    /// plane ones.
+    pub hollow: Option<(Round, f64)>,
 }
 
 impl Stack<'_> {
     /// The compliance for a wave number (1/m), times it.
     pub fn compliance(&self, k: f64) -> Scalars {
         let base = self.bottom();
-        self.layers.iter().rev().fold(base, |below, layer| above(layer, below, k * layer.thickness))
+        let layers = self.layers.iter().rev();
+        let plane = layers.fold(base, |below, layer| above(layer, below, k * layer.thickness));
+        let Some(hollow) = self.hollow else { return plane };
+        let [along, coupling, _, across] = plane;
+        [along, coupling, round::compliance(hollow, self.layers, k), across]
     }
 
     /// That of the shortest waves, which is the half-space of the uppermost layer.
@@ -170,7 +179,7 @@ mod tests {
         let base = material(2.0, 0.31);
         let layers = [layer(2.0, 0.31, 0.1), layer(2.0, 0.31, 3.0), layer(2.0, 0.31, 0.02)];
         for k in waves() {
-            let found = Stack { layers: &layers, base: Some(&base) }.compliance(k);
+            let found = Stack { layers: &layers, base: Some(&base), hollow: None }.compliance(k);
             for (found, known) in found.into_iter().zip(half_space(&base)) {
                 assert_relative_eq!(found, known, max_relative = 1e-12);
             }
@@ -183,8 +192,8 @@ mod tests {
         for poisson in [0.0, 0.2, 0.3, 0.45, 0.499] {
             let kappa = 3.0 - 4.0 * poisson;
             for q in waves().filter(|q| (1e-2..=1e2).contains(q)) {
-                let found =
-                    Stack { layers: &[layer(1.0, poisson, 1.0)], base: None }.compliance(q)[2];
+                let found = Stack { layers: &[layer(1.0, poisson, 1.0)], base: None, hollow: None }
+                    .compliance(q)[2];
                 let (sinh, cosh) = ((2.0 * q).sinh(), (2.0 * q).cosh());
                 let bottom =
                     kappa * cosh + 2.0 * q * q + 5.0 - 12.0 * poisson + 8.0 * poisson * poisson;
@@ -198,19 +207,21 @@ mod tests {
     #[test]
     fn a_thin_layer_on_a_rigid_base_gives_by_its_thickness() {
         let k = 1e-3;
-        let found = Stack { layers: &[layer(1.0, 0.3, 1.0)], base: None }.compliance(k);
+        let found =
+            Stack { layers: &[layer(1.0, 0.3, 1.0)], base: None, hollow: None }.compliance(k);
         let [along, _, normal, across] = found.map(|value| value / k);
         for (found, known) in [(along, 1.0), (across, 1.0), (normal, 0.4 / 1.4)] {
             assert_relative_eq!(found, known, max_relative = 2e-6);
         }
-        let rubber = Stack { layers: &[layer(1.0, 0.5, 1.0)], base: None }.compliance(k);
+        let rubber =
+            Stack { layers: &[layer(1.0, 0.5, 1.0)], base: None, hollow: None }.compliance(k);
         assert_relative_eq!(rubber[2] / k, k * k / 3.0, max_relative = 1e-5);
     }
 
     #[test]
     fn the_shortest_waves_feel_the_uppermost_layer_alone() {
         let (layers, base) = ([layer(5.0, 0.2, 1.0), layer(1.0, 0.4, 2.0)], material(3.0, 0.3));
-        let stack = Stack { layers: &layers, base: Some(&base) };
+        let stack = Stack { layers: &layers, base: Some(&base), hollow: None };
         for k in [1e3, 1e6] {
             assert_eq!(stack.compliance(k), stack.top());
         }
