@@ -49,7 +49,7 @@ pub struct Mesh {
     pub width: f64,
     /// How pairs of teeth share the load.
     pub sharing: Sharing,
-    /// Coefficient of friction, of which laws may ask.
+    /// Coefficient of friction, for laws that ask for it.
     pub friction: f64,
     /// How the flanks of both gears wear; `None` if they do not.
     pub laws: [Option<Arc<dyn WearLaw>>; 2],

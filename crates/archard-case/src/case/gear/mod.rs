@@ -62,9 +62,9 @@ pub const GEARS: &[Choice<Gear>] = &[Choice {
 pub struct GearCase {
     /// What it is about.
     pub title: Option<String>,
-    /// Both gears, the first of which drives.
+    /// Both gears; the first drives.
     pub gears: [Rolled<Gear>; 2],
-    /// The friction law, of which wear laws may ask.
+    /// The friction law, where wear laws ask for friction.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// How they mesh.
     pub motion: Chosen<Meshing>,
