@@ -53,7 +53,7 @@ impl Sharing {
         worn.iter().map(|worn| stiffness * (approach - worn).max(0.0)).collect()
     }
 
-    /// The share at a place between A and E, which the pair before it leaves at B and the next one joins at D.
+    /// The share at a place (m) of a table; where it jumps, the value before the jump if that is wanted.
     pub(crate) fn at(rows: &[[f64; 2]], place: f64, from_below: bool) -> f64 {
         let after = |row: &[f64; 2]| if from_below { row[0] >= place } else { row[0] > place };
         let next = rows.iter().position(after).unwrap_or(rows.len());

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 43] = [
+const GOOD: [(&str, &str, Number); 44] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -57,6 +57,7 @@ const GOOD: [(&str, &str, Number); 43] = [
     ("image", "image field known to {}", Number::Share),
     ("shakedown", "largest pressure {} of the shakedown limit", Number::Share),
     ("yield", "largest equivalent stress {} of the yield strength", Number::Share),
+    ("shares", "pairs of teeth bear the load to {}", Number::Residual),
     ("flanks", "wear displaces the contact by {} of the pitch", Number::Share),
     ("tip", "no gear is deepest at a tip", Number::Unsaid),
     ("history", "points of the route lose {} of the history", Number::Share),
@@ -254,6 +255,7 @@ mod tests {
             verdict::climbs(0),
             verdict::gathered(0.01),
             verdict::yields(0.5, "flat"),
+            verdict::shared(1e-3),
             verdict::flanks(0.01),
             verdict::tip("pinion"),
             verdict::nadal(0.2),
