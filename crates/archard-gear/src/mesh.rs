@@ -37,6 +37,9 @@ impl From<Invalid> for GearError {
     }
 }
 
+/// Friction, and how the flanks of both gears wear; `None` where there is none.
+pub type Laws = (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]);
+
 /// Two gears under load.
 #[derive(Debug, Clone)]
 pub struct Mesh {
@@ -81,7 +84,7 @@ impl Mesh {
         [torque, width]: [f64; 2],
         materials: [&Material; 2],
         sharing: Sharing,
-        (friction, laws): (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]),
+        (friction, laws): Laws,
     ) -> Result<Self, GearError> {
         for (gear, law) in laws.iter().enumerate() {
             let known = |input: &Input| {
