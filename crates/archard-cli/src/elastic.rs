@@ -4,14 +4,14 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::elastic::{Deformed, ElasticBody, von_mises};
+use archard_case::ResolvedElastic;
 use archard_case::output::{Totals, write_elastic};
-use archard_case::{Problem, ResolvedElastic};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
 use crate::say::say;
-use crate::underway::command;
+use crate::underway::solved;
 use crate::verdict;
 
 /// Computes a body and writes its results into the folder that is held.
@@ -25,13 +25,7 @@ pub fn run(
     let body = case.build().map_err(|error| wrong(&error))?;
     let start = Instant::now();
     let deformed = body.solve().map_err(|error| wrong(&error))?;
-    let totals = Totals {
-        seconds: start.elapsed().as_secs_f64(),
-        threads: rayon::current_num_threads(),
-        warnings: warnings.iter().map(Problem::warning_of).collect(),
-        failure: None,
-        command: Some(command()),
-    };
+    let totals = solved(start, warnings);
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };

@@ -2,14 +2,14 @@
 
 use std::time::Instant;
 
-use archard_case::output::{Totals, write_gear};
-use archard_case::{Problem, ResolvedGear};
+use archard_case::ResolvedGear;
+use archard_case::output::write_gear;
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
 use crate::say::say;
-use crate::underway::command;
+use crate::underway::solved;
 use crate::verdict;
 
 /// Wears the flanks, and writes what came out into the folder that is held.
@@ -21,13 +21,7 @@ pub fn run(
     let ResolvedGear { case, warnings, .. } = resolved;
     let start = Instant::now();
     let results = case.solve().map_err(|problem| Failure::wrong(problem.title()))?;
-    let totals = Totals {
-        seconds: start.elapsed().as_secs_f64(),
-        threads: rayon::current_num_threads(),
-        warnings: warnings.iter().map(Problem::warning_of).collect(),
-        failure: None,
-        command: Some(command()),
-    };
+    let totals = solved(start, warnings);
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };

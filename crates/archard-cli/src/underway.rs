@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 use std::time::Instant;
 
+use archard_case::Problem;
 use archard_case::files::{self, Contents};
 use archard_case::output::{Error, ResultFolder, Totals};
 use archard_case::verdict::{Verdict, Warning};
@@ -53,6 +54,17 @@ pub struct Underway {
     pub warnings: Vec<Warning>,
     /// The bar on the terminal, if there is one.
     pub bar: Option<ProgressBar>,
+}
+
+/// Totals of what was solved at once, begun at that instant.
+pub fn solved(begun: Instant, warnings: &[Problem]) -> Totals {
+    Totals {
+        seconds: begun.elapsed().as_secs_f64(),
+        threads: rayon::current_num_threads(),
+        warnings: warnings.iter().map(Problem::warning_of).collect(),
+        failure: None,
+        command: Some(command()),
+    }
 }
 
 impl Underway {

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::output::{RailContact, RailHistory, RailLife, RailWear, Totals, write_rail};
-use archard_case::{Problem, ResolvedWheelRail};
+use archard_case::ResolvedWheelRail;
+use archard_case::output::{RailContact, RailHistory, RailLife, RailWear, write_rail};
 use archard_rail::wear::{COLUMNS, CONICITY, Pass, Step};
 
 use crate::failure::Failure;
@@ -12,7 +12,7 @@ use crate::interrupt::Watch;
 use crate::number::four;
 use crate::progress::Follower;
 use crate::say::say;
-use crate::underway::command;
+use crate::underway::solved;
 use crate::verdict;
 
 /// Finds the contacts, and what wears over the route, and writes them into the folder that is held.
@@ -27,13 +27,7 @@ pub fn run(
     let start = Instant::now();
     let results =
         case.solve(|pass, step| follow(follower, pass, step)).map_err(|error| wrong(&error))?;
-    let totals = Totals {
-        seconds: start.elapsed().as_secs_f64(),
-        threads: rayon::current_num_threads(),
-        warnings: warnings.iter().map(Problem::warning_of).collect(),
-        failure: None,
-        command: Some(command()),
-    };
+    let totals = solved(start, warnings);
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };

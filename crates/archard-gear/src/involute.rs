@@ -68,7 +68,7 @@ impl Gear {
 /// of gear 1, towards T2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// The gears, the first of which drives.
+    /// The gears; the first drives.
     pub gears: [Gear; 2],
     /// Working pressure angle (rad).
     pub working_angle: f64,

@@ -13,6 +13,6 @@ mod station;
 
 pub use involute::{Gear, Pair};
 pub use march::{Limit, Moment, Worn};
-pub use mesh::{GearError, Mesh};
+pub use mesh::{GearError, Laws, Mesh};
 pub use sharing::Sharing;
 pub use station::Station;

@@ -94,10 +94,11 @@ impl March<'_> {
     fn rates(&self, depths: &Depths) -> Depths {
         let both: Vec<f64> = depths[0].iter().zip(&depths[1]).map(|(one, two)| one + two).collect();
         let stations = self.mesh.at_nodes(self.nodes, &self.mesh.loads(self.nodes, &both));
+        let friction = self.mesh.friction.as_deref();
         [0, 1].map(|flank| {
             let Some(law) = &self.mesh.laws[flank] else { return vec![0.0; stations.len()] };
             let of = |(station, before): (&Station, &f64)| {
-                self.meshes[flank] * station.wear(flank, &**law, self.mesh.friction, *before)
+                self.meshes[flank] * station.wear(flank, (&**law, friction), *before)
             };
             stations.iter().zip(&depths[flank]).map(of).collect()
         })
@@ -223,7 +224,8 @@ mod tests {
 
     use approx::assert_relative_eq;
     use archard::body::Material;
-    use archard::wear::{Archard, Power, WearLaw};
+    use archard::friction::Tresca;
+    use archard::wear::{Archard, Energy, Power, WearLaw};
 
     use super::{Limit, Mesh};
     use crate::involute::tests::pair;
@@ -234,7 +236,7 @@ mod tests {
         let law: Arc<dyn WearLaw> = Arc::new(Archard::new(1e-16).unwrap());
         let laws = wears.map(|wears| wears.then(|| law.clone()));
         let steel = Material::new(206e9, 0.3).unwrap();
-        Mesh::new(pair(), [302.0, 14e-3], [&steel; 2], sharing, (0.0, laws)).unwrap()
+        Mesh::new(pair(), [302.0, 14e-3], [&steel; 2], sharing, (None, laws)).unwrap()
     }
 
     /// Places of the path (mm) with the side from which they are come to, and loads over the whole.
@@ -366,5 +368,30 @@ mod tests {
             assert!((depth - known).abs() <= 1e-5 * known, "{depth} {known}");
         }
         assert!(worn.last().depths[1].iter().all(|depth| *depth == 0.0));
+    }
+
+    /// Under Tresca's friction, whatever the pressure, a law by the work of friction takes alpha tau 2 a |v1 - v2|/v.
+    #[test]
+    fn work_of_friction_follows_its_law() {
+        let (alpha, tau) = (1e-16, 50e6);
+        let mut mesh = mesh(Sharing::Thirds, [true, false]);
+        mesh.laws[0] = Some(Arc::new(Energy::new(alpha, 0.0).unwrap()));
+        mesh.friction = Some(Arc::new(Tresca::new(1.0, tau).unwrap()));
+        let worn = mesh.wear(1.0, 1.0, &[]);
+        for (station, depth) in mesh.stations().iter().zip(&worn.last().depths[0]) {
+            let known = alpha * tau * station.slide(0);
+            // At the ends of the contact pressures fall below tau.
+            assert!((depth - known).abs() <= 2e-3 * known, "{depth} {known}");
+        }
+    }
+
+    /// Shares of pairs that touch at once bear the load, but for those of a table that do not add up.
+    #[test]
+    fn shares_that_do_not_add_up_are_seen() {
+        for sharing in [Sharing::Thirds, Sharing::Springs(14e9)] {
+            assert!(mesh(sharing, [true; 2]).unshared() < 1e-12);
+        }
+        let even = Sharing::table(vec![[4e-3, 0.6], [24e-3, 0.6]]).unwrap();
+        assert_relative_eq!(mesh(even, [true; 2]).unshared(), 0.4, max_relative = 1e-12);
     }
 }

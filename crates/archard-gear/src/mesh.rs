@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use archard::body::Material;
+use archard::friction::Friction;
 use archard::parameters::Invalid;
 use archard::wear::{Input, WearLaw};
 
@@ -36,6 +37,9 @@ impl From<Invalid> for GearError {
     }
 }
 
+/// Friction, and how the flanks of both gears wear; `None` where there is none.
+pub type Laws = (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]);
+
 /// Two gears under load.
 #[derive(Debug, Clone)]
 pub struct Mesh {
@@ -49,10 +53,14 @@ pub struct Mesh {
     pub width: f64,
     /// How pairs of teeth share the load.
     pub sharing: Sharing,
-    /// Coefficient of friction, of which laws may ask.
-    pub friction: f64,
+    /// Friction, for laws that ask for it.
+    pub friction: Option<Arc<dyn Friction>>,
     /// How the flanks of both gears wear; `None` if they do not.
     pub laws: [Option<Arc<dyn WearLaw>>; 2],
+}
+
+fn asks_for_friction(law: &Option<Arc<dyn WearLaw>>) -> bool {
+    law.as_ref().is_some_and(|law| law.inputs().contains(&Input::Friction))
 }
 
 /// A node of the path.
@@ -70,13 +78,13 @@ impl Mesh {
     /// Gears that a torque (N m) on gear 1 drives.
     ///
     /// # Errors
-    /// If a wear law asks for what is not known of a flank.
+    /// If a wear law, or friction, asks for what is not known of a flank.
     pub fn new(
         pair: Pair,
         [torque, width]: [f64; 2],
         materials: [&Material; 2],
         sharing: Sharing,
-        (friction, laws): (f64, [Option<Arc<dyn WearLaw>>; 2]),
+        (friction, laws): Laws,
     ) -> Result<Self, GearError> {
         for (gear, law) in laws.iter().enumerate() {
             let known = |input: &Input| {
@@ -87,6 +95,16 @@ impl Mesh {
                                along a flank";
                 return Err(GearError::of(gear, Invalid::new("wear", message)));
             }
+        }
+        if friction.as_ref().is_some_and(|law| !law.inputs().is_empty()) {
+            let message = "depends on the speed, the temperature or the distance slid, which are not followed along a flank";
+            return Err(Invalid::new("friction", message).into());
+        }
+        if let Some(gear) =
+            (0..2).find(|&gear| asks_for_friction(&laws[gear]) && friction.is_none())
+        {
+            let message = "the law asks for the friction, and there is none";
+            return Err(GearError::of(gear, Invalid::new("wear", message)));
         }
         let softness = |material: &Material| (1.0 - material.poisson.powi(2)) / material.young;
         let modulus = (softness(materials[0]) + softness(materials[1])).recip();
@@ -149,6 +167,15 @@ impl Mesh {
             Sharing::Thirds => self.load * self.thirds((index, node)),
         };
         nodes.iter().enumerate().map(share).collect()
+    }
+
+    /// How far what pairs of teeth that touch at once share is off the load, relative to it; a table may share out more or less.
+    pub fn unshared(&self) -> f64 {
+        let nodes = self.nodes();
+        let loads = self.loads(&nodes, &vec![0.0; nodes.len()]);
+        let borne = |node: &Node| node.together.iter().map(|node| loads[*node]).sum::<f64>();
+        let off = nodes.iter().map(|node| (borne(node) / self.load - 1.0).abs());
+        off.fold(0.0, f64::max)
     }
 
     /// The share by thirds; pairs of three and more share evenly.

@@ -36,7 +36,7 @@ impl Sharing {
         }
     }
 
-    /// Loads of springs that share a load, over it in N/m: the first of which has worn by `worn[0]` (m), and so on.
+    /// Loads of springs that share a load, over it in N/m; `worn` (m) has how far each has worn.
     pub(crate) fn by_springs(stiffness: f64, load: f64, worn: &[f64]) -> Vec<f64> {
         // Those that have worn least bear; one after the other joins in until the approach does not reach the next.
         let mut order: Vec<usize> = (0..worn.len()).collect();
@@ -53,7 +53,7 @@ impl Sharing {
         worn.iter().map(|worn| stiffness * (approach - worn).max(0.0)).collect()
     }
 
-    /// The share at a place between A and E, which the pair before it leaves at B and the next one joins at D.
+    /// The share at a place (m) of a table; where it jumps, the value before the jump if that is wanted.
     pub(crate) fn at(rows: &[[f64; 2]], place: f64, from_below: bool) -> f64 {
         let after = |row: &[f64; 2]| if from_below { row[0] >= place } else { row[0] > place };
         let next = rows.iter().position(after).unwrap_or(rows.len());
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn springs_bear_what_they_share() {
-        // Two alike, one that is worn by less than the other is pressed, and one that touches nothing.
+        // Two of one length, one that is worn by less than the other is pressed, and one that touches nothing.
         assert_eq!(Sharing::by_springs(2.0, 10.0, &[0.0, 0.0]), [5.0, 5.0]);
         assert_eq!(Sharing::by_springs(2.0, 10.0, &[1.0, 0.0]), [4.0, 6.0]);
         assert_eq!(Sharing::by_springs(2.0, 10.0, &[7.0, 0.0]), [0.0, 10.0]);

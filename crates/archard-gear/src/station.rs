@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use archard::wear::{Per, Rubbing, WearLaw};
+use archard::friction::Friction;
+use archard::problem::rubbing;
+use archard::wear::{Per, WearLaw};
 
 use crate::involute::Pair;
 
@@ -48,17 +50,17 @@ impl Station {
         2.0 * self.half_width * self.sliding().abs() / self.speeds[flank]
     }
 
-    /// Depth (m) that a flank loses a mesh, which has lost so much (m) before, by its law, with that coefficient of friction.
-    pub fn wear(&self, flank: usize, law: &dyn WearLaw, friction: f64, before: f64) -> f64 {
+    /// Depth (m) that a flank loses a mesh, which has lost so much (m) before, by its law.
+    pub fn wear(
+        &self,
+        flank: usize,
+        (law, friction): (&dyn WearLaw, Option<&dyn Friction>),
+        before: f64,
+    ) -> f64 {
         let slide = self.slide(flank);
-        let sign = self.sliding().signum();
+        let along = [self.sliding().signum(), 0.0];
         let depth = |pressure: f64, slip: f64| {
-            let traction = friction * pressure;
-            let rubbing = Rubbing::new(pressure, slip)
-                .with_friction(traction * slip, friction)
-                .with_vectors([sign * slip, 0.0], [sign * traction, 0.0])
-                .after(0.0, before);
-            law.depth(rubbing)
+            law.depth(rubbing(friction, pressure, slip, along).after(0.0, before))
         };
         match law.per() {
             // The mean over the slip.

@@ -159,6 +159,7 @@ fn judged(results: &GearResults) -> Verdict {
     if !at_tips.is_empty() {
         lines.push(verdict::tip(&at_tips.join("` and `")));
     }
+    lines.push(verdict::shared(mesh.unshared()));
     lines.push(verdict::flanks(mesh.displaced(worn) / mesh.pair.pitch));
     lines.push(verdict::measured(results.relative_error(), "deepest wear of the flanks"));
     lines.extend(worn.life.map(|(_, error)| {

@@ -381,6 +381,13 @@ pub fn yields(utilisation: f64, body: &str) -> Line {
     Line::new("yield", utilisation, Bound::AtMost([1.0, f64::INFINITY]), text)
 }
 
+/// How far what pairs of teeth share is off the load of the torque, relative to it. A table of shares is as exact as it is rounded, to a
+/// hundredth; beyond a tenth it is another load's.
+pub fn shared(off: f64) -> Line {
+    let text = "of the load is how far the shares of pairs of teeth that touch at once are off it: those of `share` a pitch apart have to add up to one";
+    Line::new("shares", off, Bound::AtMost([0.01, 0.1]), text)
+}
+
 /// How far wear displaces the contact of two flanks, over the pitch along the path: loads and sliding are those of the involutes. A
 /// tenth is a choice; a pitch away the pair of teeth does not touch.
 pub fn flanks(share: f64) -> Line {

@@ -64,7 +64,7 @@ fn balls_in_sockets_are_as_by_finite_elements() {
 }
 
 /// A shaft in a thin bush: columns, each of them a ring under an even pressure, p = K (d cos theta - c) with d the distance of the axes,
-/// and F = R L K (d (t + sin t cos t) - 2 c sin t) with cos t = c/d. They are the limit of a layer thin beside the contact.
+/// and F = R L K (d (t + sin t cos t) - 2 c sin t) with cos t = c/d. They are the limit of a layer that is thin for the contact.
 #[test]
 fn shafts_in_thin_bushes_are_columns() {
     let [radius, length, clearance, thickness, young, poisson] =
@@ -99,7 +99,7 @@ fn shafts_in_thin_bushes_are_columns() {
     assert_relative_eq!(edge, angle, epsilon = 1e-2);
 }
 
-/// Wear of hollows that are stiff beside what wears, all slipping alike : the
+/// Wear of hollows that are stiff against the worn layer, under even slip: the
 /// worn surface is that of the inner body moved on, so that with w the depth at the pole and cos t = c/(c + w)
 /// s = R L c/(k F) (t/cos t - sin t) of a bush, 2 pi R^2/(3 k F) (w - c/2 (1 - cos^2 t)) of a socket.
 #[test]
@@ -178,7 +178,7 @@ fn unworn_cups_wear_as_under_pressures_of_finite_elements() {
 }
 
 /// A million cycles whose shape is followed, by columns under a ball that is free across the load, in 60 stations on 90 x 180 places, with
-/// 24 steps of Heun's method: a layer thin beside the contact is columns but for the square of 0.4 over 12. Under a guided ball they are
+/// 24 steps of Heun's method: a layer that is thin for the contact is columns but for the square of 0.4 over 12. Under a guided ball they are
 /// 32.621 mm3 and 0.10481 mm, 24.458 and 0.08689.
 #[test]
 fn cups_of_thin_layers_wear_as_columns() {

@@ -51,7 +51,7 @@ impl Rows {
         self.rows.iter().filter_map(move |row| row.get(at?))
     }
 
-    /// The numbers of a column, times a factor; what is none is no number.
+    /// The numbers of a column, times a factor; NaN where a cell has no number.
     pub fn numbers(&self, column: &str, factor: f64) -> Vec<f64> {
         self.cells(column).map(|cell| factor * cell.parse().unwrap_or(f64::NAN)).collect()
     }

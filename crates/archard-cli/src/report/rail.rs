@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::figures::Figure;
 use super::html::Html;
 use super::page::{Header, Page, Sections, Table};
-use super::words::{case, quantity};
+use super::words::{case, judged, quantity};
 use super::{name_of, tables};
 use crate::plot::figure::Panel;
 use crate::plot::rail::Rail;
@@ -48,12 +48,6 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     all.add("verdict", "Verdict", &tables::verdict(summary).html());
     let text = files::read_text(&dir.join("case.toml")).unwrap_or_default();
     all.add("case", "The case", &case(&text));
-    let judged = summary["verdict"]["word"].as_str().unwrap_or("not judged");
-    let sign = match judged {
-        "good" => "good",
-        "wrong" => "wrong",
-        _ => "doubtful",
-    };
     let glance = worn.first().or(contact.first());
     let glance = glance.map(|panel| Figure::pictured(panel, String::new())).transpose()?;
     let header = Header {
@@ -61,7 +55,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         version: summary["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
         facts: vec![],
-        verdict: (sign, judged.to_owned()),
+        verdict: judged(summary),
         mark: rail.mark.clone(),
         lead: vec![],
         tiles: tiles(summary),

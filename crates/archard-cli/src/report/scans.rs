@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::figures::Figure;
 use super::html::Html;
 use super::page::{Header, Page, Sections, Table, list};
-use super::words::{quantity, range};
+use super::words::{judged, quantity, range};
 use super::{name_of, tables};
 
 /// What was found.
@@ -56,18 +56,12 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     let remarks: Vec<String> = remarks.filter_map(|one| one.as_str().map(str::to_owned)).collect();
     all.add("remarks", "Remarks", &list(&remarks));
     all.add("verdict", "Verdict", &tables::verdict(&found).html());
-    let verdict = match found["verdict"]["word"].as_str() {
-        Some("good") => ("good", "good".to_owned()),
-        Some("wrong") => ("wrong", "wrong".to_owned()),
-        Some("doubtful") => ("doubtful", "doubtful".to_owned()),
-        _ => ("doubtful", "not judged".to_owned()),
-    };
     let header = Header {
         about: "two scans",
         version: found["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
         facts: vec![],
-        verdict,
+        verdict: judged(&found),
         mark: None,
         lead: lead(&found).into_iter().collect(),
         tiles: VALUES.iter().filter_map(|value| tile(&found, value)).collect(),

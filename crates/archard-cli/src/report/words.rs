@@ -4,6 +4,7 @@ use super::html::{Html, fill};
 use super::page::capital;
 use crate::plot::scale::superscript;
 use archard_case::verdict::four;
+use serde_json::Value;
 
 /// Parts of a case under a heading: what each is called, and its words.
 type Group = (String, Vec<(String, String)>);
@@ -195,6 +196,17 @@ pub(super) fn plain(value: f64) -> String {
         true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => digits,
     }
+}
+
+/// The class and the word of the verdict of a summary.
+pub(super) fn judged(summary: &Value) -> (&'static str, String) {
+    let word = summary["verdict"]["word"].as_str().unwrap_or("not judged");
+    let sign = match word {
+        "good" => "good",
+        "wrong" => "wrong",
+        _ => "doubtful",
+    };
+    (sign, word.to_owned())
 }
 
 #[cfg(test)]

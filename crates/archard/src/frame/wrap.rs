@@ -23,7 +23,7 @@ pub struct Wrap {
 }
 
 impl Wrap {
-    /// That of two profiles of which one fits into the other; `None` of others.
+    /// That of two profiles, one of them made to fit into the other; `None` of others.
     pub fn of(profiles: [&dyn Profile; 2]) -> Option<Self> {
         let [one, two] = profiles.map(Profile::fitted);
         let (one, two) = (one?, two?);
@@ -67,7 +67,7 @@ impl Wrap {
         self.clearance * (1.0 - self.closing(place))
     }
 
-    /// Unit vectors along both axes of the frame and away from the centre at a place (m), in axes of which the third goes from the
+    /// Unit vectors along both axes of the frame and away from the centre at a place (m), in axes whose third goes from the
     /// centre to the pole.
     pub fn outwards(&self, place: [f64; 2]) -> [[f64; 3]; 3] {
         Self { hollow: 1, ..*self }.basis(place)

@@ -98,7 +98,7 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
     })
 }
 
-/// Two profiles of which one does not fit into the other.
+/// Two profiles that do not fit into each other.
 fn pair(bodies: &[Body; 2], of: [Option<Fitted>; 2], one: Fitted) -> Option<Refusal> {
     let refusal = |body: usize, what: String, help: String| {
         Some(Refusal::new(Part::Profile(bodies[body].name.clone()), what, help))

@@ -3,7 +3,7 @@
 //!
 //! A move s closes the gap at a pair by s . e, with e the part of the outward normal across the axis. The force of the pressures along e
 //! is brought to zero by Newton's method with the stiffness of columns, K = sum p^2 / sum p v, where v is what a pair gives way by. A
-//! ball tilts its layer in a wave that is long beside the layer, in which columns are good: few solves are needed.
+//! ball tilts its layer in a wave that is long for the layer, in which columns are good: few solves are needed.
 
 use super::effort::Effort;
 use super::error::Error;

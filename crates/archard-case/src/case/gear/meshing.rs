@@ -16,7 +16,7 @@ pub struct Meshing {
     pub sharing: Sharing,
     /// Meshes of a flank of the first gear; `None` where they are not given.
     pub meshes: Option<f64>,
-    /// Whether these are turns of the first gear, of which the other makes fewer or more, rather than meshes of any flank.
+    /// Whether these are turns of the first gear, rather than meshes of any flank: the other gear makes fewer or more.
     pub turns: bool,
 }
 

@@ -20,9 +20,6 @@ use super::problem::Problem;
 use super::wheel_rail::Rolled;
 use crate::output::GearResults;
 
-/// A pressure at which the coefficient of friction is read off a law: any.
-const REFERENCE: f64 = 1e8;
-
 /// The profiles of gears.
 pub const GEARS: &[Choice<Gear>] = &[Choice {
     name: "involute",
@@ -62,9 +59,9 @@ pub const GEARS: &[Choice<Gear>] = &[Choice {
 pub struct GearCase {
     /// What it is about.
     pub title: Option<String>,
-    /// Both gears, the first of which drives.
+    /// Both gears; the first drives.
     pub gears: [Rolled<Gear>; 2],
-    /// The friction law, of which wear laws may ask.
+    /// The friction law, where wear laws ask for friction.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// How they mesh.
     pub motion: Chosen<Meshing>,
@@ -88,6 +85,9 @@ impl GearCase {
                     );
                 }
                 Some(gear) => Key::of(["body", &self.gears[gear].name, "profile", "involute"]),
+                None if error.cause.parameter == "friction" => {
+                    return Problem::error(Key::of(["friction"]), error.cause.message);
+                }
                 None => motion.clone(),
             };
             Problem::error(key.child(&error.cause.parameter), error.cause.message)
@@ -102,8 +102,8 @@ impl GearCase {
         let pair = Pair::new([gear(0)?, gear(1)?], meshing.centre_distance).map_err(wrong)?;
         if let Sharing::Table(rows) = &meshing.sharing {
             let [first, last] = [rows[0][0], rows[rows.len() - 1][0]];
-            // Places in files are as exact as those that `check` prints.
-            let within = 1e-3 * pair.pitch;
+            // `check` prints places to a tenth of a micrometre.
+            let within = 0.5e-7;
             if first > pair.start + within || last < pair.end - within {
                 let message = format!(
                     "the shares are those of {:.4} to {:.4} mm of the path, teeth touch from {:.4} to {:.4} mm",
@@ -125,21 +125,14 @@ impl GearCase {
             Ok(Some(Arc::from(built)))
         };
         let laws = [law(0)?, law(1)?];
-        let asks = |law: &Arc<dyn WearLaw>| law.inputs().contains(&archard::wear::Input::Friction);
-        let friction = match &self.friction {
-            Some(law) => {
-                let key = Key::of(["friction", law.choice.name]);
-                let law = law.build().map_err(|invalid| {
-                    Problem::error(key.child(&invalid.parameter), invalid.message)
-                })?;
-                law.limit(REFERENCE) / REFERENCE
-            }
-            None if laws.iter().flatten().any(asks) => {
-                let message = "a wear law asks for the friction, `friction.coulomb`";
-                return Err(Problem::missing(Key::of(["friction"]), message));
-            }
-            None => 0.0,
-        };
+        let friction = self.friction.as_ref().map(|law| -> Result<Arc<dyn Friction>, Problem> {
+            let key = Key::of(["friction", law.choice.name]);
+            let built = law.build().map_err(|invalid| {
+                Problem::error(key.child(&invalid.parameter), invalid.message)
+            })?;
+            Ok(Arc::from(built))
+        });
+        let friction = friction.transpose()?;
         let materials = [&self.gears[0].material, &self.gears[1].material];
         let load = [meshing.torque, meshing.width];
         let mesh = Mesh::new(pair, load, materials, meshing.sharing.clone(), (friction, laws))

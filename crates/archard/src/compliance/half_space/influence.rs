@@ -128,7 +128,7 @@ impl Influence {
     }
 
     /// Whether so many elements lie above the depth that displacements are measured from, where there is one: they have
-    /// to be positive. Layers on something rigid need none, and may rise beside what presses them.
+    /// to be positive. Layers on something rigid need none, and may rise next to what presses them.
     pub(super) fn reaches(&self, elements: [usize; 2]) -> bool {
         let measured = self.depths.is_some_and(|added| added != [0.0; 3]);
         !measured || self.within([elements[0], 1]).nn().iter().all(|own| *own > 0.0)

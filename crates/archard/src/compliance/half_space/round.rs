@@ -34,7 +34,7 @@ pub(super) fn compliance((round, radius): (Round, f64), layers: &[Layer], k: f64
         Round::Sphere => degree * degree - 0.25,
         Round::Cylinder => degree * degree,
     };
-    // Displacements and tractions along the surface in units that keep the numbers of A alike.
+    // Displacements and tractions along the surface in units that keep the numbers of A of one size.
     let scale = degree.max(1.0);
     let mut outer = radius + layers.iter().map(|layer| layer.thickness).sum::<f64>();
     let mut below = [[0.0; 2]; 2];
