@@ -30,7 +30,7 @@ pub struct FiniteCase {
 }
 
 /// Why a body has no image field.
-pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names. Without a `[frame]` tetrahedra bear the contact on any face that `contact` names";
+pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names. Without a `[frame]`, `elasticity = \"finite_elements\"` lets the tetrahedra of a file bear the contact on any face that `contact` names";
 
 impl FiniteCase {
     /// The mesh; with an image field a coarse one that knows of no contact.

@@ -11,7 +11,7 @@ mod work;
 use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Accuracy, Verdict};
-use archard::body::{Body, Elasticity};
+use archard::body::Body;
 use archard::estimate::Subject;
 use archard::motion::{Control, Stepping};
 use archard::problem::ContactProblem;
@@ -74,15 +74,7 @@ impl Evidence {
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
         if report.output {
-            let carries = |body: &Body| {
-                body.finite
-                    .as_ref()
-                    .is_some_and(|finite| finite.elasticity == Elasticity::FiniteElements)
-            };
-            let known = match problem.bodies.iter().any(carries) {
-                true => &mut self.carried,
-                false => &mut self.missed,
-            };
+            let known = if carried(problem) { &mut self.carried } else { &mut self.missed };
             worst(known, problem.compliance.missed(&state.tractions()));
         }
         // Frames grow.
@@ -145,7 +137,11 @@ impl Evidence {
             self.peclet = Some(self.peclet.map_or(peclet, |known| known.min(peclet)));
         }
         if report.output {
-            worst(&mut self.roughness, roughness::of(problem, state));
+            let found = match carried(problem) {
+                true => problem.alone(&state.pressure),
+                false => roughness::of(problem, state),
+            };
+            worst(&mut self.roughness, found);
         }
     }
 
@@ -172,6 +168,11 @@ impl Evidence {
         let lines = lines.into_iter().flatten().chain(balance);
         Verdict { lines: lines.chain(self.limits.lines()).collect() }
     }
+}
+
+/// Whether tetrahedra inside a body bear the contact.
+fn carried(problem: &ContactProblem) -> bool {
+    problem.bodies.iter().any(Body::carries)
 }
 
 /// Keeps the larger of two numbers; what is not a number stays.

@@ -1,5 +1,7 @@
 //! The contact zone of a meshed body, seen from the frame.
 
+use std::convert::Infallible;
+
 use glam::DVec3;
 
 use super::super::element::evaluate;
@@ -137,20 +139,52 @@ impl<'a> Host<'a> {
         let pair_of = self.pair_of();
         let mut pairs: Vec<OnNodes> =
             self.contact.iter().map(|(_, basis)| OnNodes::along(*basis)).collect();
-        let rule = places();
-        let sign = if self.first { 1.0 } else { -1.0 };
-        for (index, &face) in self.finite.meshed.zone.faces.iter().enumerate() {
-            let patch = &self.surface.patches[face];
-            let area = 0.5 * patch.area_vector([0.0; 2]).length();
-            for &(at, weight) in &rule {
-                let normal = sign * self.normals.at(index, patch, at);
-                for (node, shape) in self.surface.tractions_of(face).zip(patch.element.shape) {
-                    let share = area * weight * evaluate(shape, at);
-                    pairs[pair_of[node]?].add((volume, face), at, (share, normal));
-                }
+        for spot in spots(self.finite, &self.surface, &self.normals) {
+            let normal = self.sign() * spot.normal;
+            for (node, share) in spot.shares(&self.surface) {
+                pairs[pair_of[node]?].add((volume, spot.face), spot.at, (share, normal));
             }
         }
         Some(pairs.into_iter().map(OnNodes::gathered).collect())
+    }
+
+    /// What a distance (m) along z, by the place in the frame, is along the normal of each pair: there, or in the mean where elements
+    /// bear the contact, as they are displaced.
+    pub fn closed<E>(&self, distance: impl Fn(DVec3) -> Result<f64, E>) -> Result<Vec<f64>, E> {
+        if self.finite.elasticity != Elasticity::FiniteElements {
+            let at = |pair: usize| Ok(distance(self.place(pair))? * self.closing(pair));
+            return (0..self.contact.len()).map(at).collect();
+        }
+        let mut means = vec![0.0; self.contact.len()];
+        let pair_of = self.pair_of();
+        let closing = self.sign() * self.axes[2];
+        for spot in spots(self.finite, &self.surface, &self.normals) {
+            let found = distance(self.in_frame(spot.place))? * closing.dot(spot.normal);
+            for (node, share) in spot.shares(&self.surface) {
+                if let Some(pair) = pair_of[node] {
+                    means[pair] += share * found;
+                }
+            }
+        }
+        means.iter_mut().enumerate().for_each(|(pair, mean)| *mean /= self.area(pair));
+        Ok(means)
+    }
+
+    /// How far the plane z = 0 is from the pairs along their normals (m).
+    pub fn heights(&self) -> Vec<f64> {
+        let Ok(heights) = self.closed(|place| Ok::<_, Infallible>(-self.sign() * place.z));
+        heights
+    }
+
+    /// The way that the zone looks along z: positive upwards.
+    pub fn looks(&self) -> f64 {
+        let faces = self.finite.meshed.zone.faces.iter();
+        faces.map(|face| self.in_frame(self.finite.meshed.mesh.area_vector(*face).into()).z).sum()
+    }
+
+    /// One for body 1, whose outward normal is that of the frame; minus one for body 2.
+    fn sign(&self) -> f64 {
+        if self.first { 1.0 } else { -1.0 }
     }
 
     /// The area (m^2) of a pair, mirror images left out.
@@ -181,7 +215,7 @@ impl<'a> Host<'a> {
     /// The pairs, their gaps those to the plane z = 0.
     pub fn pairs(&self) -> Pairs {
         let count = self.contact.len();
-        let height = |pair: usize| if self.first { -1.0 } else { 1.0 } * self.place(pair).z;
+        let heights = self.heights();
         let rises = self.rises();
         let bases = if self.plane {
             vec![]
@@ -194,7 +228,7 @@ impl<'a> Host<'a> {
             places: (0..count).map(|pair| self.place(pair).to_array()).collect(),
             areas: areas.map(|(node, _)| self.images() * self.areas[*node]).collect(),
             bases,
-            gap: (0..count).map(|pair| height(pair) * self.closing(pair) - rises[pair]).collect(),
+            gap: heights.iter().zip(rises).map(|(height, rise)| height - rise).collect(),
             outlines: outlines(self),
             elements: self.elements,
             mirrored: self.surface.mirrored,
@@ -219,19 +253,11 @@ impl Means {
         let zero = vec![DVec3::ZERO; surface.tractions.len()];
         let (mut places, mut vectors, mut weights) =
             (zero.clone(), zero, vec![0.0; surface.tractions.len()]);
-        let rule = crate::compliance::fem::places();
-        for (index, &face) in finite.meshed.zone.faces.iter().enumerate() {
-            let patch = &surface.patches[face];
-            let area = 0.5 * patch.area_vector([0.0; 2]).length();
-            for &(at, weight) in &rule {
-                let normal = normals.at(index, patch, at);
-                let place = patch.at(at) + normals.rise(index, patch, at) * normal;
-                for (node, shape) in surface.tractions_of(face).zip(patch.element.shape) {
-                    let share = weight * area * evaluate(shape, at);
-                    weights[node] += share;
-                    places[node] += share * place;
-                    vectors[node] += share * normal;
-                }
+        for spot in spots(finite, surface, normals) {
+            for (node, share) in spot.shares(surface) {
+                weights[node] += share;
+                places[node] += share * spot.place;
+                vectors[node] += share * spot.normal;
             }
         }
         let there = places.iter_mut().zip(weights).filter(|(_, weight)| *weight > 0.0);
@@ -240,6 +266,43 @@ impl Means {
         vectors.iter_mut().for_each(|vector| *vector = vector.normalize_or_zero());
         Self { places, normals: vectors, areas }
     }
+}
+
+/// A place on the zone that stands for a part of it.
+struct Spot {
+    face: usize,
+    /// Its last two coordinates on that triangle.
+    at: [f64; 2],
+    /// The area (m^2) that it stands for.
+    area: f64,
+    /// Its place (m) on the smooth surface and the outward normal there.
+    place: DVec3,
+    normal: DVec3,
+}
+
+impl Spot {
+    /// The nodes of tractions around it with their shares of the area (m^2).
+    fn shares(&self, surface: &Surface) -> impl Iterator<Item = (usize, f64)> {
+        let shapes = surface.patches[self.face].element.shape.iter();
+        let share = |shape| self.area * evaluate(shape, self.at);
+        surface.tractions_of(self.face).zip(shapes.map(share))
+    }
+}
+
+/// The places of a rule on the triangles of a zone.
+fn spots(finite: &Finite, surface: &Surface, normals: &Normals) -> Vec<Spot> {
+    let rule = places();
+    let on_face = |(index, &face): (usize, &usize)| {
+        let patch = &surface.patches[face];
+        let area = 0.5 * patch.area_vector([0.0; 2]).length();
+        let spot = |&(at, weight): &([f64; 2], f64)| {
+            let normal = normals.at(index, patch, at);
+            let place = patch.at(at) + normals.rise(index, patch, at) * normal;
+            Spot { face, at, area: area * weight, place, normal }
+        };
+        rule.iter().map(spot).collect::<Vec<_>>()
+    };
+    finite.meshed.zone.faces.iter().enumerate().flat_map(on_face).collect()
 }
 
 /// Nodes of tractions in the zone; along x and y where its elements form a grid.

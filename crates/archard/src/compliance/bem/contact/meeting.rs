@@ -42,8 +42,24 @@ impl<'a> Meeting<'a> {
         if let Some(body) = bodies.iter().position(|body| body.has_image()) {
             return Err(ContactError::HasImage { body });
         }
-        let which = bears_the_pairs(bodies);
-        let host = Side::new(bodies[which], which, None)?;
+        let first = bears_the_pairs(bodies);
+        if !bodies.iter().all(|body| body.carries()) {
+            return Self::on(bodies, first, first);
+        }
+        // A zone that reaches beyond the other leaves the pairs to it.
+        let coarser = coarser(bodies, first);
+        Self::on(bodies, coarser, first).or_else(|error| match error {
+            ContactError::NotOpposite { .. } => {
+                Self::on(bodies, 1 - coarser, first).map_err(|_| error)
+            }
+            _ => Err(error),
+        })
+    }
+
+    /// With the pairs at the nodes of a body, in axes by the zone of the same or of the other.
+    fn on(bodies: [&'a Body; 2], which: usize, axes: usize) -> Result<Self, ContactError> {
+        let by_other = (axes != which).then(|| Host::new(bodies[axes], axes, None)).flatten();
+        let host = Side::new(bodies[which], which, by_other.map(|other| other.axes))?;
         let mut pairs = host.host.pairs();
         let opposite = match &bodies[1 - which].finite {
             None => None,
@@ -54,6 +70,9 @@ impl<'a> Meeting<'a> {
                 if opposite.host.surface.mirrored != host.host.surface.mirrored {
                     return Err(ContactError::Symmetry);
                 }
+                if opposite.host.looks() * host.host.looks() > 0.0 {
+                    return Err(ContactError::SameWay { body: 1 });
+                }
                 let transfer = Transfer::new(&host.host, &opposite.host)?;
                 for (gap, distance) in pairs.gap.iter_mut().zip(&transfer.gap) {
                     *gap += distance;
@@ -62,7 +81,7 @@ impl<'a> Meeting<'a> {
                 Some((opposite, transfer))
             }
         };
-        add_profiles(bodies, &mut pairs)?;
+        add_profiles(bodies, &host.host, &mut pairs)?;
         Ok(Self { bodies, host, opposite, pairs })
     }
 
@@ -270,21 +289,40 @@ fn bears_the_pairs(bodies: [&Body; 2]) -> usize {
     }
 }
 
+/// Of two bodies of finite elements the one whose zone has the larger elements, unless the zone of the other is plane: pressures that
+/// vary from node to node where the displacements of the other do not follow find what its elements leave out, and alternate.
+fn coarser(bodies: [&Body; 2], plane: usize) -> usize {
+    let area = |body: &Body| {
+        let meshed = &body.finite.as_ref()?.meshed;
+        let of_face = |face: &usize| DVec3::from(meshed.mesh.area_vector(*face)).length();
+        let areas = meshed.zone.faces.iter().map(of_face);
+        (!meshed.has_plane_zone()).then(|| areas.sum::<f64>() / meshed.zone.faces.len() as f64)
+    };
+    match bodies.map(area) {
+        [Some(one), Some(other)] => usize::from(other > one),
+        _ => plane,
+    }
+}
+
 /// Whether a body deforms as a half-space.
 fn is_half_space(body: &Body) -> bool {
     body.finite.as_ref().is_none_or(|finite| finite.elasticity == Elasticity::HalfSpace)
 }
 
 /// Adds the recesses of the profiles, along the normal of each pair.
-fn add_profiles(bodies: [&Body; 2], pairs: &mut Pairs) -> Result<(), OffTheSurface> {
-    for (pair, [x, y, _]) in pairs.places.iter().enumerate() {
-        let closing = pairs.bases.get(pair).map_or(1.0, |basis| basis[2][2]);
-        for (body, recess) in bodies.map(|body| body.profile.recess(*x, *y)).iter().enumerate() {
-            if !recess.is_finite() {
-                return Err(OffTheSurface { body, place: [*x, *y] });
-            }
-            pairs.gap[pair] += recess * closing;
-        }
+fn add_profiles(
+    bodies: [&Body; 2],
+    host: &Host<'_>,
+    pairs: &mut Pairs,
+) -> Result<(), OffTheSurface> {
+    for (body, profile) in bodies.map(|body| &body.profile).into_iter().enumerate() {
+        let recess = |place: DVec3| {
+            let recess = profile.recess(place.x, place.y);
+            let known = recess.is_finite().then_some(recess);
+            known.ok_or(OffTheSurface { body, place: [place.x, place.y] })
+        };
+        let recesses = host.closed(recess)?;
+        pairs.gap.iter_mut().zip(recesses).for_each(|(gap, recess)| *gap += recess);
     }
     Ok(())
 }

@@ -74,6 +74,14 @@ pub enum ContactError {
         /// Where, in its own coordinates (m).
         place: [f64; 3],
     },
+    /// Zones whose outward normals agree, instead of being opposite.
+    #[error(
+        "the contact zones of both bodies look the same way: files share their axes, in which the zones face each other"
+    )]
+    SameWay {
+        /// The body that may be turned over, 0 or 1.
+        body: usize,
+    },
     /// A zone that a half-space cannot stand for.
     #[error(
         "body {}: the contact zone turns by {angle:.0} degrees from the plane of contact: no half-space stands for it",

@@ -126,19 +126,19 @@ impl Transfer {
         let areas: Vec<f64> =
             rows.iter().map(|row| row.iter().map(|(_, share)| share).sum()).collect();
         let mut gap = vec![];
+        let heights = host.heights();
         for (pair, &[_, _, n]) in own_bases.iter().enumerate() {
-            let place = host.place(pair);
             if mean {
-                gap.push(means[pair] / host.area(pair) + sign * place.z * host.closing(pair));
+                gap.push(means[pair] / host.area(pair) - heights[pair]);
                 continue;
             }
+            let place = host.place(pair);
             let direction = if steep { n } else { DVec3::Z };
             let hit = project(place, direction, &patches).ok_or_else(|| off(place))?;
-            let sign = if host.first { 1.0 } else { -1.0 };
             let rise = other.rise(hit.patch, hit.at);
             let distance = sign * hit.distance * direction.dot(n) - rise;
             // The pairs have counted the distance to z = 0 already.
-            gap.push(distance + sign * place.z * host.closing(pair));
+            gap.push(distance - heights[pair]);
         }
         Ok(Self {
             gap,
