@@ -261,8 +261,10 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             "only {} {pairs} lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
             three(fewest)
         );
+        let finer = "mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)";
         let help = match parts.zone_of_a_file() {
-            true => "take more elements there: `contact = { near = [x, y, z], size = .., elements = .. }` divides them, or mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)".to_owned(),
+            true if parts.bodies.iter().any(Body::carries) => finer.to_owned(),
+            true => format!("take more elements there: `contact = {{ near = [x, y, z], size = .., elements = .. }}` divides them, or {finer}"),
             false => format!("take more elements or a smaller {}", parts.frame_word()),
         };
         let line = verdict::first_contact(fewest);

@@ -11,6 +11,7 @@ mod meeting;
 mod normals;
 mod outline;
 mod project;
+mod rim;
 mod transfer;
 
 use std::sync::Arc;

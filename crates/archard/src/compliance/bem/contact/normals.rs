@@ -19,7 +19,8 @@ use super::super::element::evaluate;
 use super::super::patch::Patch;
 use super::super::surface::Surface;
 use super::STEEP;
-use crate::body::Finite;
+use super::rim::turned;
+use crate::body::{Elasticity, Finite};
 use crate::numerics::WRITTEN;
 
 /// The outward normals of a zone at the corners of its elements.
@@ -32,17 +33,26 @@ pub(super) struct Normals {
 impl Normals {
     pub fn new(finite: &Finite, surface: &Surface) -> Self {
         let around = around(finite, surface);
-        let of = |&face: &usize| {
+        let near = |face: usize, vertex: usize| {
             let patch = &surface.patches[face];
             let own = patch.normal(patch.middle_reference());
-            let near = |weighed: &&DVec3| weighed.dot(own) > STEEP * weighed.length();
-            let smooth = |&vertex: &usize| {
-                around[vertex].iter().filter(near).sum::<DVec3>().normalize_or(own)
-            };
-            surface.corners[face].as_slice().iter().map(smooth).collect()
+            let near = around[vertex].iter().filter(move |one| one.dot(own) > STEEP * one.length());
+            (near.clone().count() == around[vertex].len(), near.sum::<DVec3>().normalize_or(own))
         };
         let zone = &finite.meshed.zone.faces;
-        Self { corners: zone.iter().map(of).collect(), edges: edges(finite) }
+        let of = |&face: &usize| -> (Vec<bool>, Vec<DVec3>) {
+            let vertices = surface.corners[face].as_slice().iter();
+            vertices.map(|&vertex| near(face, vertex)).unzip()
+        };
+        let (all_around, mut corners): (Vec<_>, Vec<_>) = zone.iter().map(of).unzip();
+        let edges = edges(finite);
+        // Elements that bear the contact meet it up to the rim.
+        if finite.elasticity == Elasticity::FiniteElements && edges.is_none() {
+            let vertices = |face: &usize| surface.corners[*face].as_slice().to_vec();
+            let elements: Vec<Vec<usize>> = zone.iter().map(vertices).collect();
+            turned(&elements, &finite.meshed.mesh.vertices, &mut corners, &all_around);
+        }
+        Self { corners, edges }
     }
 
     /// The outward normal at a place on an element, by its index in the zone.
