@@ -1,5 +1,8 @@
 //! Cases of a wheel on a rail: read, printed, refused with a place, and solved on both sides of the track.
 
+#[path = "wheel_rail/service.rs"]
+mod service;
+
 use std::fs;
 use std::ops::ControlFlow;
 
@@ -474,84 +477,4 @@ fn a_point_that_wears_is_written() {
     let at: Vec<_> = results.contacts.iter().map(|one| one.at).collect();
     let [new, worn] = [false, true].map(|worn| Some(AtPoint { point: 1, worn }));
     assert_eq!(at, [new, worn]);
-}
-
-/// A wheel that is sent over the distance of its life has just the depth of its limit, to the errors that are stated; limits that are not
-/// reached say so, and those of a standard follow from the diameter.
-#[test]
-fn a_wheel_sent_over_its_life_is_at_its_limit() {
-    let route = "share,shift [mm]\n0.6,3\n0.4,0\n";
-    let worn = |distance: f64, until: &[&str]| {
-        let distance = format!("motion.wheel_rail.distance={distance} m");
-        let case = with_route(route, &[&[WEARS, &*distance], until].concat()).expect("a case").case;
-        case.solve(|_, _| ControlFlow::Continue(())).expect("wear").wear.expect("wear")
-    };
-    let depth = |wear: &archard_case::output::RailWear| {
-        let (_, last) = wear.rows().pop().unwrap();
-        let of = |name: &str| last.iter().find(|(own, _)| own == name).unwrap().1;
-        [of("tread_depth_m"), of("error_of_tread_depth_m")]
-    };
-    let options = [
-        WEARS,
-        "motion.wheel_rail.distance=1 m",
-        "until.standard=EN 15313",
-        "until.tread_depth=3 mm",
-    ];
-    let case = resolve(MANCHESTER, &options).expect("a case").case;
-    let again = resolve(&case.to_string(), &[]).expect("what was printed").case;
-    assert_eq!(again, case);
-    let far = 4e6;
-    let [whole, _] = depth(&worn(far, &[]));
-    assert!(whole > 1e-6, "{whole}");
-    let until = format!("until.tread_depth={} m", 0.5 * whole);
-    let wear = worn(far, &[&until, "until.standard=EN 15313"]);
-    let [first, others @ ..] = &wear.lives[..] else { panic!("no lives") };
-    assert_eq!((first.limit.column, others.len()), ("tread_depth_m", 3));
-    assert!(others.iter().all(|life| life.at.is_none()));
-    let [share, error] = first.at.expect("a life");
-    assert!(error < 0.1 * share, "{share} {error}");
-    let there = worn(share * far, &[]);
-    let [depth, off] = depth(&there);
-    let slope = whole / far;
-    assert!(
-        (depth - 0.5 * whole).abs() <= off + slope * error * far,
-        "{depth} {whole} {off} {error}"
-    );
-    let sd = |diameter: f64| archard_rail::wear::Limit::in_service(diameter).map(|one| one.value);
-    assert_eq!((sd(0.92), sd(0.76)), ([22e-3, 36e-3, 6.5e-3], [27.5e-3, 36e-3, 6.5e-3]));
-}
-
-/// The conicity is told after each step where it has a limit: at first it is that of new wheels.
-#[test]
-fn a_conicity_may_have_a_limit() {
-    let options = [WEARS, "motion.wheel_rail.distance=1 m", "frame.elements=16"];
-    let rows = |until: &[&str]| {
-        let case = resolve(MANCHESTER, &[&options[..], until].concat()).expect("a case").case;
-        let wear = case.solve(|_, _| ControlFlow::Continue(())).expect("wear").wear.expect("wear");
-        let told = |row: &[(String, f64)]| {
-            row.iter().find(|(own, _)| own == "equivalent_conicity").map(|(_, value)| *value)
-        };
-        let told: Vec<_> = wear.rows().iter().map(|(_, row)| told(row)).collect();
-        (told, wear.conicity[0].unwrap(), wear.lives)
-    };
-    assert!(rows(&[]).0.iter().all(Option::is_none));
-    let (told, new, lives) = rows(&["until.equivalent_conicity=0.01"]);
-    assert!(told.iter().all(|one| (one.unwrap() / new - 1.0).abs() < 1e-3), "{told:?} {new}");
-    assert_eq!(lives[0].at.map(|[share, _]| share), Some(0.0));
-}
-
-#[test]
-fn wrong_limits_are_refused_in_words() {
-    let far = "motion.wheel_rail.distance=10 m";
-    for (options, expected) in [
-        (vec!["until.standard=EN 15313"], "no wear law"),
-        (vec![WEARS, far, "until.flange_thickness=33 mm"], "the new wheel has 32.50 mm"),
-        (vec![WEARS, far, "until.flange_height=20"], "unit"),
-        (vec![WEARS, far, "until.flange=20 mm"], "is not a known key"),
-        (vec![WEARS, far, "until.standard=UIC 1"], "EN 15313"),
-    ] {
-        let said = resolve(MANCHESTER, &options).err();
-        let said = said.unwrap_or_else(|| panic!("{options:?} passes"));
-        assert!(said.contains(expected) && said.contains("until"), "{options:?}: {said}");
-    }
 }

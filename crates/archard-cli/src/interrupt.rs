@@ -105,6 +105,14 @@ impl Watch {
         *self.lock() = Held::Claim(Box::new(claim));
     }
 
+    /// Does something with the folder that is held.
+    pub fn within(&self, keep: impl FnOnce(&mut Claim) -> Result<(), Error>) -> Result<(), Error> {
+        match &mut *self.lock() {
+            Held::Claim(claim) => keep(claim),
+            _ => Ok(()),
+        }
+    }
+
     /// Gives the folder back, for results that are written all at once.
     pub fn release(&self) -> Option<Claim> {
         match std::mem::replace(&mut *self.lock(), Held::Ended) {
@@ -167,8 +175,12 @@ impl Watch {
             Held::Ended => return,
             Held::Nothing => before_results(),
             Held::Claim(claim) => {
+                let dir = claim.dir().to_owned();
                 claim.give_up();
-                before_results()
+                match dir.join("checkpoint").is_file() {
+                    true => on_a_route(&dir),
+                    false => before_results(),
+                }
             }
             Held::Results(results) => {
                 let dir = results.dir().to_owned();
@@ -213,6 +225,14 @@ pub fn with_results(dir: &Path) -> Failure {
     Failure::Interrupted(format!(
         "{Interrupted}\nwhat was computed so far is in {dir}; go on with `archard run --resume {dir}`, or draw it with \
          `archard plot {dir}`"
+    ))
+}
+
+/// An interruption of a route that was kept on its way.
+fn on_a_route(dir: &Path) -> Failure {
+    let dir = dir.display();
+    Failure::Interrupted(format!(
+        "{Interrupted}\nthe route is kept in {dir}; go on with `archard run --resume {dir}`"
     ))
 }
 

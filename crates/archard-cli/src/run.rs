@@ -76,22 +76,14 @@ fn in_folder(
                 false => contact(),
             }
         }
-        Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
-            let why = match task {
-                Task::WheelRail(_) => {
-                    "a wheel on a rail is not kept on its route: run the case again, from its start"
-                }
-                _ => "this case is solved at once: there is no run to go on with",
-            };
-            Err(Failure::wrong(why))
+        Task::Elastic(_) | Task::Gear(_) if arguments.resume.is_some() => {
+            Err(Failure::wrong("this case is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
         Task::Gear(resolved) => gear::run(resolved, watch, [arguments.quiet, arguments.verbose]),
-        Task::WheelRail(resolved) => {
-            wheel_rail::run(resolved, watch, &mut follower, [arguments.quiet, arguments.verbose])
-        }
+        Task::WheelRail(resolved) => wheel_rail::run(resolved, watch, &mut follower, arguments),
     }
 }
 

@@ -4,9 +4,12 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use archard_case::ResolvedWheelRail;
-use archard_case::output::{RailContact, RailHistory, RailLife, RailWear, write_rail};
-use archard_rail::wear::{COLUMNS, CONICITY, Pass, Step};
+use archard_case::output::{
+    Claim, RailContact, RailHistory, RailLife, RailPlan, RailWear, RouteKeeper, write_rail,
+};
+use archard_rail::wear::{COLUMNS, CONICITY, Kept, Pass, Step};
 
+use crate::arguments::Run;
 use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
@@ -15,18 +18,40 @@ use crate::say::say;
 use crate::underway::solved;
 use crate::verdict;
 
-/// Finds the contacts, and what wears over the route, and writes them into the folder that is held.
+/// Finds the contacts, and what wears over the route, and writes them into the folder that is held. A route is kept there on its way.
 pub fn run(
     resolved: &ResolvedWheelRail,
     watch: &Watch,
     follower: &mut Follower,
-    [quiet, verbose]: [bool; 2],
+    arguments: &Run,
 ) -> Result<(), Failure> {
     let ResolvedWheelRail { case, warnings, .. } = resolved;
+    let [quiet, verbose] = [arguments.quiet, arguments.verbose];
     let wrong = |error: &dyn std::error::Error| Failure::wrong(error.to_string());
     let start = Instant::now();
-    let results =
-        case.solve(|pass, step| follow(follower, pass, step)).map_err(|error| wrong(&error))?;
+    let prepared = case.prepare().map_err(|problem| Failure::wrong(problem.title()))?;
+    let mut keeper = RouteKeeper::new(case.to_string(), &prepared.computed_from());
+    let mut kept = Kept::default();
+    if arguments.resume.is_some() {
+        let find = |claim: &mut Claim| keeper.find(claim).map(|found| kept = found);
+        watch.within(find).map_err(|error| wrong(&error))?;
+    }
+    let mut unkept = None;
+    let follow = |pass: Pass, step: &Step<'_>| {
+        follow(follower, pass, step);
+        match watch.within(|claim| keeper.keep(claim, step.kept)) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                unkept = Some(error);
+                ControlFlow::Break(())
+            }
+        }
+    };
+    let results = prepared.go_on(kept, follow);
+    if let Some(error) = unkept {
+        return Err(wrong(&error));
+    }
+    let results = results.map_err(|error| wrong(&error))?;
     let totals = solved(start, warnings);
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
@@ -57,7 +82,7 @@ pub fn run(
 
 /// Shows how the route gets on. The three times that it is gone through take about as long on a quarter of the elements each, and
 /// then on all.
-fn follow(follower: &mut Follower, pass: Pass, step: &Step<'_>) -> ControlFlow<()> {
+fn follow(follower: &mut Follower, pass: Pass, step: &Step<'_>) {
     let (before, part, what) = match pass {
         Pass::Hasty => (0.0, 1.0, "longer steps on half of the elements"),
         Pass::Coarse => (1.0, 2.0, "half of the elements"),
@@ -67,7 +92,6 @@ fn follow(follower: &mut Follower, pass: Pass, step: &Step<'_>) -> ControlFlow<(
     let deepest = deepest.flat_map(|profile| profile.depths()).fold(0.0, f64::max);
     let standing = [what.to_owned(), format!("depth {} um", four(1e6 * deepest))];
     follower.show((before + part * step.progress) / 7.0, &standing);
-    ControlFlow::Continue(())
 }
 
 /// Says what was worn off.
@@ -87,6 +111,11 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
                 continue;
             }
             // Flanges are judged by hundredths of a millimetre.
+            if name.ends_with("damage") {
+                let words = name.replace('_', " ");
+                say(&format!("  {words:<19}{}  +- {}", four(*value), four(*error)))?;
+                continue;
+            }
             let (value, unit) = match name.rsplit_once('_') {
                 Some((_, "m3")) => (four(1e9 * value), "mm^3"),
                 Some((_, "m2")) => (four(1e6 * value), "mm^2"),
@@ -99,7 +128,7 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
             };
             let words = name.rsplit_once('_').map_or(*name, |(words, _)| words).replace('_', " ");
             let error = four(factor * error);
-            say(&format!("  {words:<18}{value} {unit}  +- {error}"))?;
+            say(&format!("  {words:<19}{value} {unit}  +- {error}"))?;
         }
     }
     for RailLife { limit, side, at } in &wear.lives {
@@ -122,11 +151,33 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
             None => say(&format!("limit             {what} not within {} km", km(1.0)))?,
         }
     }
+    wear.plans.iter().try_for_each(|plan| say_plan(plan, wear.extent[0]))?;
     if let [Some(new), Some(worn), error] = wear.conicity {
         let error = error.map_or_else(String::new, |error| format!("  +- {}", four(error)));
         say(&format!("conicity          {} new, {} worn{error}", four(new), four(worn)))?;
     }
     Ok(())
+}
+
+/// Says how often a wheel is turned over a distance (m), and how far it runs in all.
+fn say_plan(RailPlan { side, when, plan }: &RailPlan, distance: f64) -> Result<(), Failure> {
+    let km = |share: [f64; 2]| {
+        let [value, error] = share.map(|share| four(1e-3 * share * distance));
+        format!("{value} km +- {error}")
+    };
+    let [depth, error] = plan.depth.map(|depth| four(1e3 * depth));
+    let why = match *when {
+        "limit" => "at its first limit",
+        "end" => "at the end",
+        _ => "where it costs least",
+    };
+    say(&format!(
+        "turning           {} wheel, {why}: each {}, {depth} mm +- {error} off the radius, {} times, in all {}",
+        side.name(),
+        km(plan.interval),
+        plan.turnings,
+        km(plan.life)
+    ))
 }
 
 /// Says what came out on a side.

@@ -69,7 +69,14 @@ fn eight_shifts_bear_the_same() {
     // G = 82 GPa.
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] };
+    let bodies = Bodies {
+        wheel: steel,
+        rail: steel,
+        friction,
+        flange: None,
+        wear: [None, None],
+        shear_yield: 800e6,
+    };
     let mut wrong = vec![];
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
@@ -109,7 +116,14 @@ fn the_wheelset_rolls_until_both_wheels_carry() {
     let setup = common::setup(&folder);
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] };
+    let bodies = Bodies {
+        wheel: steel,
+        rail: steel,
+        friction,
+        flange: None,
+        wear: [None, None],
+        shear_yield: 800e6,
+    };
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
         let operation = Operation {

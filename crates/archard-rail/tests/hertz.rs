@@ -40,7 +40,14 @@ fn cone(slope: f64, half: f64) -> Setup {
 fn bodies(coefficient: f64) -> Bodies {
     let steel = Material::new(210e9, 0.3).unwrap();
     let friction = Arc::new(Coulomb::new(coefficient).unwrap());
-    Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None] }
+    Bodies {
+        wheel: steel,
+        rail: steel,
+        friction,
+        flange: None,
+        wear: [None, None],
+        shear_yield: 800e6,
+    }
 }
 
 /// A wheelset that yaws, is driven by a share of its speed and carries a load (N) on the wheel.
@@ -215,7 +222,8 @@ fn a_groove_slips_but_for_two_lines() {
     let rolled = |curved: bool| {
         let friction = Arc::new(Coulomb::new(mu).unwrap());
         let wear = [None, None];
-        let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear };
+        let bodies =
+            Bodies { wheel: steel, rail: steel, friction, flange: None, wear, shear_yield: 800e6 };
         let resolution = Resolution { elements: 64, curved, ..Resolution::default() };
         let mut operation = operation(0.0, 0.0, load);
         operation.velocity.pitch =

@@ -13,7 +13,7 @@ use archard_rail::contact::{Bodies, Operation, Resolution, contact};
 use archard_rail::curve::{Curve, Smoothing};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Velocity, Wheelset};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
-use archard_rail::wear::{Journey, OperatingPoint, Route, Travelled, WearError};
+use archard_rail::wear::{Cracks, Journey, Kept, OperatingPoint, Route, Travelled, WearError};
 
 /// Wear coefficient (1/Pa), friction, radius of the wheel (m) and speed (m/s).
 const K: f64 = 1e-13;
@@ -29,7 +29,14 @@ fn bodies(wears: [bool; 2]) -> Bodies {
     let steel = Material::new(210e9, 0.28).unwrap();
     let law: Arc<dyn WearLaw> = Arc::new(Archard::new(K).unwrap());
     let wear = wears.map(|wears| wears.then(|| law.clone()));
-    Bodies { wheel: steel, rail: steel, friction: friction(), flange: None, wear }
+    Bodies {
+        wheel: steel,
+        rail: steel,
+        friction: friction(),
+        flange: None,
+        wear,
+        shear_yield: 800e6,
+    }
 }
 
 fn point(shift: f64, yaw: f64, share: f64) -> OperatingPoint {
@@ -73,6 +80,7 @@ fn journey(setup: Setup, wears: [bool; 2], points: Vec<OperatingPoint>, distance
         setup,
         sides: vec![Side::Right],
         bodies: bodies(wears),
+        cracks: [None; 2],
         route: Route { points, distance, axles: 1e5 },
         // In the plane, where closed forms hold.
         resolution: Resolution { elements: 16, curved: false, ..Resolution::default() },
@@ -232,4 +240,82 @@ fn what_cannot_be_travelled_says_why() {
         .travel(|_, _| ControlFlow::Break(()))
         .unwrap_err();
     assert!(matches!(stopped, WearError::Stopped { progress: 0.0 }));
+}
+
+/// Damage that rises with the work of friction: a wheel has it once round its circumference and a rail at every axle, over the width of the
+/// patch and nowhere else; work that heals takes off what is there, and leaves no credit.
+#[test]
+fn cracks_grow_at_every_passage() {
+    let mut slides = point(0.0, 0.0, 1.0);
+    slides.velocity.pitch *= 1.001;
+    let peak = 1e6;
+    let cracks = Cracks { threshold: 0.0, peak, balance: 2.0 * peak, most: 1e-3, heals: true };
+    let distance = 1e3;
+    let plain = journey(cylinder(), [true; 2], vec![slides.clone()], distance);
+    let operation = Operation {
+        attitude: slides.attitude,
+        velocity: slides.velocity,
+        load: slides.load,
+        transfer: 0.0,
+        creepages: Default::default(),
+    };
+    let patches = contact(&plain.setup, &plain.bodies, &operation, &plain.resolution).unwrap();
+    let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
+    let (work, errors) = (patch.values.t_gamma, patch.errors.t_gamma);
+    assert_relative_eq!(work, -patch.values.force_x * patch.values.creepage, max_relative = 1e-9);
+    let power = patch.values.frictional_power / SPEED;
+    assert_relative_eq!(work, power, max_relative = 1e-2);
+    let index = MU.min(patch.values.force_x.abs() / patch.values.normal_force)
+        - plain.bodies.shear_yield / patch.values.peak_pressure;
+    assert_relative_eq!(patch.values.surface_fatigue, index, epsilon = 1e-3);
+
+    let cracked = Journey { cracks: [Some(cracks); 2], ..plain.clone() };
+    let gone = travelled(&cracked);
+    let passages = [distance / (TAU * RADIUS), 1e5];
+    for (profile, passages) in gone.worn[0].profiles().into_iter().zip(passages) {
+        let expected = 1e-3 * work / peak * passages;
+        let most = profile.damage().iter().copied().fold(0.0, f64::max);
+        let off = 1e-3 * errors / peak * passages + 2e-3 * expected;
+        assert!((most - expected).abs() < off, "{most} {expected} {off}");
+        let touched = profile.damage().iter().filter(|damage| **damage > 0.5 * most).count();
+        let all = profile.damage().iter().filter(|damage| **damage > 0.0).count();
+        assert!(touched > 10 && all < touched + 6, "{touched} {all}");
+    }
+    // Half of the axles crack, the others take more off.
+    let slow = OperatingPoint { share: 0.5, ..point(0.0, 0.0, 0.5) };
+    let fast = OperatingPoint { share: 0.5, ..slides };
+    let balance = 0.5 * work;
+    let heals = Cracks { threshold: 0.0, peak: 0.1 * balance, balance, most: 1e-3, heals: true };
+    let healed = Journey {
+        cracks: [None, Some(heals)],
+        ..journey(cylinder(), [true; 2], vec![slow, fast], distance)
+    };
+    let healed = travelled(&healed);
+    assert!(healed.worn[0].rail.damage().iter().all(|damage| *damage == 0.0));
+    assert!(healed.worn[0].wheel.damage().iter().all(|damage| *damage == 0.0));
+}
+
+/// A route that is stopped at any of its steps, kept in bytes and gone on with comes to the same end, to the bit.
+#[test]
+fn a_route_goes_on_to_the_bit() {
+    let points = vec![point(0.5e-3, 1e-3, 0.6), point(3e-3, 1.5e-3, 0.4)];
+    let mut journey = journey(s1002_on_60e1(), [true, true], points, 2e6);
+    journey.cracks = [Some(Cracks::R260); 2];
+    journey.tolerance = 0.2;
+    let whole = travelled(&journey);
+    let mut kept = Kept::default();
+    let stopped = loop {
+        let mut steps = 0;
+        // The step that was kept is shown again: each time it gets three farther.
+        let stopped = journey.go_on(kept.clone(), |_, step| {
+            steps += 1;
+            kept = postcard::from_bytes(&postcard::to_allocvec(step.kept).unwrap()).unwrap();
+            if steps == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        match stopped {
+            Err(WearError::Stopped { .. }) => {}
+            other => break other,
+        }
+    };
+    assert_eq!(format!("{:?}", stopped.unwrap()), format!("{whole:?}"));
 }

@@ -252,6 +252,7 @@ fn rail_verdict(results: &RailResults) -> Verdict {
         verdict::measured(if at > 0.0 { error / at } else { 0.0 }, "distance to the first limit")
     };
     lines.extend(first.map(life));
+    lines.extend(wear.as_ref().and_then(RailWear::worst_of_service));
     lines.extend(history.as_ref().map(|history| verdict::gathered(history.loss)));
     Verdict { lines }
 }

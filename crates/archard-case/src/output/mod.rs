@@ -82,7 +82,7 @@ pub use contacts::{
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};
-pub use folder::{Claim, ResultFolder};
+pub use folder::{Claim, ResultFolder, RouteKeeper};
 pub use gear::{GearResults, gear_files, write_gear};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
@@ -90,7 +90,7 @@ pub use life::{Life, Limit, Lives, NoColumn, Reached};
 pub use manifest::Manifest;
 pub use place::Place;
 pub use planes::Planes;
-pub use rail_wear::{ProfileWear, RailLife, RailWear};
+pub use rail_wear::{ProfileWear, RailLife, RailPlan, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;

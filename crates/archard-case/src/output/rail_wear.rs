@@ -2,12 +2,15 @@
 
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
-use archard_rail::wear::{COLUMNS, CONICITY, Limit, Told, Travelled, Worn, WornProfile, error_of};
+use archard_rail::wear::{
+    ASKED, COLUMNS, CONICITY, Limit, Plan, Told, Travelled, Turning, Worn, WornProfile, error_of,
+};
 use serde_json::{Value, json};
 
 use super::Error;
 use super::manifest::Manifest;
 use super::table::{Table, number};
+use crate::verdict::{self, Line};
 
 /// The file of worn depths over the profiles.
 const WEAR: &str = "wear.csv";
@@ -28,6 +31,10 @@ pub struct RailWear {
     /// Equivalent conicity of new and of worn profiles, and the error of the second; `None` where a wheelset does not steer
     /// itself back.
     pub conicity: [Option<f64>; 3],
+    /// Which of wheel and rail may crack.
+    pub cracks: [bool; 2],
+    /// When the wheels are turned again; none where nobody asks for it.
+    pub plans: Vec<RailPlan>,
     /// When the wheels reach their limits, those first that are reached first; none without limits.
     pub lives: Vec<RailLife>,
     /// The formats in which the profiles of the wheel and of the rail were read.
@@ -59,6 +66,43 @@ impl RailLife {
     }
 }
 
+/// How often a wheel is turned again, and how far it runs in all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailPlan {
+    /// The side.
+    pub side: Side,
+    /// When it is turned: at the limit that it reaches first, at the end of the distance, or where that costs the least of its radius.
+    pub when: &'static str,
+    /// The plan.
+    pub plan: Plan,
+}
+
+impl RailPlan {
+    /// The plans of wheels of these sides: at the first limit, or at the end where there is none, and where a metre costs least.
+    pub fn of(
+        turning: &Turning,
+        limits: &[Limit],
+        sides: &[Side],
+        travelled: &Travelled,
+    ) -> Vec<Self> {
+        let of_side = |&side: &Side| {
+            let reached = limits.iter().map(|limit| travelled.reached(limit, side));
+            let first = reached.fold([f64::INFINITY; 3], |least, own| {
+                [0, 1, 2].map(|run| least[run].min(own[run]))
+            });
+            let limited = first[0].is_finite();
+            let until = if limited { first } else { [1.0; 3] };
+            let when = if limited { "limit" } else { "end" };
+            let plan = travelled.plan(turning, side, until);
+            let cheapest = travelled.cheapest_plan(turning, side, until);
+            [(when, plan), ("cheapest", cheapest)]
+                .into_iter()
+                .filter_map(move |(when, plan)| Some(Self { side, when, plan: plan? }))
+        };
+        sides.iter().flat_map(of_side).collect()
+    }
+}
+
 /// A profile that wears: which body it is of, which of the sides, and the name of its file.
 type Wears = (usize, usize, String);
 
@@ -85,20 +129,22 @@ impl RailWear {
     pub fn rows(&self) -> Vec<(Side, Vec<(String, f64)>)> {
         let course = self.travelled.course();
         // What nobody asked for has no column.
-        let weaves = |(told, _): &(Told, _)| told.values.last().is_some_and(|one| !one.is_nan());
-        let weaves = course.iter().any(weaves);
+        let known = |at: usize| {
+            !ASKED.contains(&COLUMNS[at])
+                || course.iter().any(|(told, _)| !told.values[at].is_nan())
+        };
+        let known: Vec<bool> = (0..COLUMNS.len()).map(known).collect();
         let row = |(told, errors): (Told, Vec<f64>)| {
             let [distance, axles] = self.extent.map(|all| all * told.progress);
             let mut row = vec![("distance_m".to_owned(), distance), ("axles".to_owned(), axles)];
-            let all = COLUMNS.iter().zip(&told.values).zip(&errors);
-            let all = all.filter(|((name, _), _)| **name != CONICITY || weaves);
-            for ((name, value), error) in all {
+            let all = COLUMNS.iter().zip(&told.values).zip(&errors).zip(&known);
+            for ((name, value), error) in all.filter(|(_, known)| **known).map(|(one, _)| one) {
                 row.push(((*name).to_owned(), *value));
                 row.push((format!("error_of_{name}"), *error));
             }
             (told.side, row)
         };
-        course.into_iter().map(row).collect()
+        course.iter().cloned().map(row).collect()
     }
 
     /// The largest error of a worn area, relative to it.
@@ -108,6 +154,28 @@ impl RailWear {
             self.travelled.error(area) / area(&self.travelled.worn)
         };
         self.profiles().into_iter().map(relative).fold(0.0, f64::max)
+    }
+}
+
+impl RailWear {
+    /// The largest stated error, relative, of how far wheels run in all, of what turning costs, and of damage by cracks.
+    pub(super) fn worst_of_service(&self) -> Option<Line> {
+        let of_plan = |RailPlan { plan, .. }: &RailPlan| {
+            [(plan.depth, "radius that turning costs"), (plan.life, "distance run in all")]
+        };
+        let sides = self.travelled.worn.len();
+        let course = self.travelled.course();
+        let ends = course[course.len() - sides..].iter().flat_map(|(told, errors)| {
+            let cracks = COLUMNS.iter().zip(told.values.iter().zip(errors));
+            let cracks = cracks.filter(|(name, _)| **name != CONICITY && ASKED.contains(name));
+            cracks.map(|(_, (value, error))| ([*value, *error], "damage by cracks"))
+        });
+        let all = self.plans.iter().flat_map(of_plan).chain(ends);
+        let relative = all
+            .filter(|([value, _], _)| *value > 0.0)
+            .map(|([value, error], what)| (error / value, what));
+        let worst = relative.max_by(|one, other| one.0.total_cmp(&other.0));
+        worst.map(|(error, what)| verdict::measured(error, what))
     }
 }
 
@@ -161,20 +229,39 @@ impl RailWear {
             let error = |at: usize| error_of([fine[at], coarse[at], hasty[at]]);
             let errors = (0..fine.len()).map(error).collect();
             let one = profile(&travelled.worn[side], body);
+            let damage = || {
+                let of = |worn: &[Worn]| profile(&worn[side], body).damage().to_vec();
+                let [fine, coarse, hasty] =
+                    [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| of(worn));
+                let error = |at: usize| error_of([fine[at], coarse[at], hasty[at]]);
+                let errors = (0..fine.len()).map(error).collect();
+                [("crack_damage", fine), ("error_of_crack_damage", errors)]
+            };
+            let unknown = || vec![f64::NAN; one.unworn().points.len()];
+            let none = || [("crack_damage", unknown()), ("error_of_crack_damage", unknown())];
+            // Rows of both bodies have the same columns.
+            let damage = match self.cracks {
+                [false, false] => None,
+                cracks if cracks[body] => Some(damage()),
+                _ => Some(none()),
+            };
             let [new, worn] = [one.unworn().points, one.profile().points];
             let axis =
                 |points: &[[f64; 2]], axis: usize| points.iter().map(|point| point[axis]).collect();
             ProfileWear {
                 body: BODIES[body],
                 side: travelled.worn[side].side,
-                columns: vec![
+                columns: [
                     ("y_m", axis(&new, 0)),
                     ("z_m", axis(&new, 1)),
                     ("depth_m", fine),
                     ("error_of_depth_m", errors),
                     ("y_worn_m", axis(&worn, 0)),
                     ("z_worn_m", axis(&worn, 1)),
-                ],
+                ]
+                .into_iter()
+                .chain(damage.into_iter().flatten())
+                .collect(),
             }
         };
         self.profiles().into_iter().map(of_profile).collect()
@@ -219,7 +306,11 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             ([&first.values, none], [&last.values, errors])
         };
         let mut told = json!({ "side": wear.travelled.worn[at].side.name() });
-        for (index, name) in COLUMNS.iter().enumerate().filter(|(_, name)| **name != CONICITY) {
+        let told_here = |at: usize, name: &str| {
+            name != CONICITY && !(ASKED.contains(&name) && last[at].is_nan())
+        };
+        let columns = COLUMNS.iter().enumerate().filter(|(at, name)| told_here(*at, name));
+        for (index, name) in columns {
             told[format!("new_{name}")] = json!(first[index]);
             told[*name] = json!(last[index]);
             told[format!("error_of_{name}")] = json!(errors[index]);
@@ -240,7 +331,22 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             "error_of_distance_m": error.filter(|error| error.is_finite()),
         })
     };
+    let plan = |RailPlan { side, when, plan }: &RailPlan| {
+        let distance = |value: f64| value * wear.extent[0];
+        json!({
+            "side": side.name(),
+            "when": when,
+            "interval_m": distance(plan.interval[0]),
+            "error_of_interval_m": distance(plan.interval[1]),
+            "turning_depth_m": plan.depth[0],
+            "error_of_turning_depth_m": plan.depth[1],
+            "turnings": plan.turnings,
+            "distance_m": distance(plan.life[0]),
+            "error_of_distance_m": distance(plan.life[1]),
+        })
+    };
     json!({
+        "reprofiling": wear.plans.iter().map(plan).collect::<Vec<_>>(),
         "life": wear.lives.iter().map(life).collect::<Vec<_>>(),
         "distance_m": wear.extent[0],
         "axles": wear.extent[1],

@@ -454,15 +454,19 @@ pub fn missing(share: f64) -> Line {
 /// Hardness (Pa) of the hardest rail steel, R400HT of EN 13674-1: 440 HBW.
 pub const RAIL_STEEL: f64 = 440.0 * 9.80665e6;
 
+/// The yield stress in shear (Pa) of a hardness (Pa), which is three yield stresses (Tabor), each sqrt(3) of those (von Mises).
+pub fn shear_yield(hardness: f64) -> f64 {
+    hardness / (3.0 * 3.0_f64.sqrt())
+}
+
 /// The largest pressure of a contact that rolls, over the hardness, relative to the shakedown limit with that much of the friction used
 /// (tangential over normal force).
 ///
 /// With k the yield stress in shear, a line that rolls shakes down to 4 k below the surface (K. L. Johnson, *Contact Mechanics*, 1985,
 /// section 9.2; a point to 4.7 k, A. R. S. Ponter et al. 1985), and to k over the friction used on it (A. Ekberg, E. Kabo and H. Andersson,
-/// 2002). A hardness is three yield stresses (Tabor), each sqrt(3) k (von Mises).
+/// 2002).
 pub fn shaken(over_hardness: f64, friction: f64) -> f64 {
-    let over_k = 3.0 * 3.0_f64.sqrt() * over_hardness;
-    over_k * friction.max(1.0 / 4.0)
+    over_hardness / shear_yield(1.0) * friction.max(1.0 / 4.0)
 }
 
 /// The largest pressure relative to the shakedown limit, and whose.

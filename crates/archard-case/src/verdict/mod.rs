@@ -14,8 +14,8 @@ pub use bounds::{
     clearance, climbs, complete, conformity, constant, contact, creepage, edges, energy,
     first_contact, flanks, form, friction, gathered, hardness, heat, image, layers, length, load,
     measured, mesh, missing, modulus, nadal, next_test, of_run, radius, roughness, settled,
-    shakedown, shaken, shape, shared, side, slenderness, slope, stated, stick_zone, temperature,
-    time, tip, touch, volume, warned, worn, yields,
+    shakedown, shaken, shape, shared, shear_yield, side, slenderness, slope, stated, stick_zone,
+    temperature, time, tip, touch, volume, warned, worn, yields,
 };
 pub use line::{Bound, Line, Word, four};
 pub use warning::Warning;

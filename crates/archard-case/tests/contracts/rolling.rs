@@ -18,6 +18,14 @@ const FRICTION_EXAMPLES: &[(&str, &[(&str, Value)])] = &[
     ("coulomb", &[("coefficient", Value::Number(0.6))]),
     ("coulomb", &[("coefficient", Value::Number(0.0))]),
     ("tresca", &[("coefficient", Value::Number(0.4)), ("shear_strength", Value::Number(3e8))]),
+    (
+        "falling",
+        &[
+            ("coefficient", Value::Number(0.5)),
+            ("least", Value::Number(0.2)),
+            ("speed", Value::Number(1.7)),
+        ],
+    ),
     ("orthotropic", &[("coefficients", Value::Pair([0.1, 0.65])), ("angle", Value::Number(0.7))]),
 ];
 

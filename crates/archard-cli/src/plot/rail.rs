@@ -209,9 +209,12 @@ impl Rail {
         let depths = [
             ("wheel_depth_m", "wheel, deepest"),
             ("tread_depth_m", "tread"),
+            ("turning_depth_m", "to be turned off"),
             ("rail_depth_m", "rail, deepest"),
         ];
         add("Depth of wear, with its error", "Depth (mm)", 1e3, &depths, false);
+        let cracks = [("wheel_crack_damage", "wheel"), ("rail_crack_damage", "rail")];
+        add("Damage by cracks, with its error", "Damage", 1.0, &cracks, false);
         panels
     }
 }

@@ -15,7 +15,7 @@ use crate::plot::figure::Panel;
 use crate::plot::rail::Rail;
 
 /// What is told of a side that wears: its key in the summary, words and unit.
-const TOLD: [(&str, &str, &str); 9] = [
+const TOLD: [(&str, &str, &str); 12] = [
     ("wheel_worn_area_m2", "Area worn off the wheel's section", "m2"),
     ("wheel_worn_volume_m3", "Volume worn off the wheel", "m3"),
     ("wheel_depth_m", "Deepest wear of the wheel", "m"),
@@ -23,8 +23,11 @@ const TOLD: [(&str, &str, &str); 9] = [
     ("flange_height_m", "Flange height Sh", "m"),
     ("flange_thickness_m", "Flange thickness Sd", "m"),
     ("flange_gradient_m", "Flange gradient qR", "m"),
+    ("turning_depth_m", "Loss of radius by turning the profile again", "m"),
     ("rail_worn_area_m2", "Area worn off the rail's section", "m2"),
     ("rail_depth_m", "Deepest wear of the rail", "m"),
+    ("wheel_crack_damage", "Largest damage of the wheel by cracks", ""),
+    ("rail_crack_damage", "Largest damage of the rail by cracks", ""),
 ];
 
 /// The page of a folder.
@@ -35,7 +38,10 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     let mut all = Sections::default();
     let wears = !summary["wear"].is_null();
     let outcome: Html = match wears {
-        true => sides(summary).map(|side| worn(side).html()).collect(),
+        true => {
+            let worn = sides(summary).map(|side| worn(side).html());
+            worn.chain(service(summary).map(|table| table.html())).collect()
+        }
         false => patches(summary).html(),
     };
     all.add("outcome", "What came out", &outcome);
@@ -93,6 +99,46 @@ fn worn(side: &Value) -> Table {
         heads: vec!["Quantity", "Value", "Error"],
         rows: TOLD.iter().filter_map(row).collect(),
     }
+}
+
+/// When wheels reach their limits, and when they are turned.
+fn service(summary: &Value) -> Option<Table> {
+    let km = |of: &Value, key: &str| of[key].as_f64().map(|value| quantity(value, "m"));
+    let words = |of: &Value, key: &str| of[key].as_str().unwrap_or_default().replace('_', " ");
+    let lives = summary["wear"]["life"].as_array().into_iter().flatten().map(|life| {
+        let what = words(life, "column");
+        let what = what.strip_suffix(" m").unwrap_or(&what).to_owned();
+        vec![
+            format!("{} wheel: {what} at its limit", words(life, "side")),
+            km(life, "distance_m").unwrap_or_else(|| "not reached".to_owned()),
+            km(life, "error_of_distance_m").unwrap_or_default(),
+        ]
+    });
+    let plans = summary["wear"]["reprofiling"].as_array().into_iter().flatten();
+    let plans = plans.flat_map(|plan| {
+        let when = match plan["when"].as_str() {
+            Some("limit") => "turned at its first limit",
+            Some("end") => "turned at the end",
+            _ => "turned where it costs least",
+        };
+        let row = |key: &str, what: &str| {
+            let error = km(plan, &format!("error_of_{key}")).unwrap_or_default();
+            let text = format!("{} wheel, {when}: {what}", words(plan, "side"));
+            Some(vec![text, km(plan, key)?, error])
+        };
+        let often = format!("runs in all, turned {} times", plan["turnings"]);
+        [
+            row("interval_m", "runs between two turnings"),
+            row("turning_depth_m", "loses of its radius"),
+            row("distance_m", &often),
+        ]
+    });
+    let rows: Vec<_> = lives.chain(plans.flatten()).collect();
+    (!rows.is_empty()).then(|| Table {
+        caption: "Service".to_owned(),
+        heads: vec!["Quantity", "Value", "Error"],
+        rows,
+    })
 }
 
 /// The patches of a contact.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;
 
-use super::{Run, assert_no_parts, assert_whole, command};
+use super::{Run, assert_no_parts, assert_whole, command, program, said, wait_until};
 
 /// A case and settings that make it write a lot in little time.
 struct Busy {
@@ -274,4 +274,47 @@ fn the_next_run_clears_up_after_a_killed_one() {
     assert!(ran.status.success(), "{}", super::said(&ran));
     assert_no_parts(dir.path());
     assert!(assert_whole(dir.path()) > 5);
+}
+
+/// A route that is killed ten times and gone on with leaves the files of one that was let be, to the byte.
+#[test]
+fn a_route_that_is_killed_goes_on() {
+    let settings = [
+        "frame.elements=16",
+        "motion.wheel_rail.distance=5000 km",
+        "body.wheel.cracks.t_gamma={}",
+        "reprofiling.last_radius=430 mm",
+    ];
+    let [whole, killed] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let ended = Run::start(&mut command(whole.path(), "wheel_wear", &settings)).end();
+    assert!(whole.path().join("out/summary.json").exists(), "{}", said(&ended));
+    let checkpoint = killed.path().join("out/checkpoint");
+    let mut last = vec![];
+    for time in 0..10 {
+        let mut resume = program();
+        let mut first = command(killed.path(), "wheel_wear", &settings);
+        let run = Run::start(match time {
+            0 => &mut first,
+            _ => resume.current_dir(killed.path()).args(["run", "-q", "--resume", "out"]),
+        });
+        wait_until("another step", || fs::read(&checkpoint).is_ok_and(|kept| kept != last));
+        run.signal("KILL");
+        run.end();
+        last = fs::read(&checkpoint).unwrap();
+    }
+    let mut resume = program();
+    resume.current_dir(killed.path()).args(["run", "-q", "--resume", "out"]);
+    let ended = Run::start(&mut resume).end();
+    for name in ["contacts.csv", "wear.csv", "dimensions.csv", "worn_wheel_right.prw", "case.toml"]
+    {
+        let [one, other] = [&whole, &killed].map(|dir| fs::read(dir.path().join("out").join(name)));
+        assert!(one.unwrap() == other.unwrap(), "{name} differs: {}", said(&ended));
+    }
+    assert!(!checkpoint.exists());
+    // What came to its end has nothing to go on with.
+    let mut again = program();
+    again.current_dir(killed.path()).args(["run", "-q", "--resume", "out"]);
+    again.stderr(Stdio::piped());
+    let ended = Run::start(&mut again).end();
+    assert!(said(&ended).contains("came to its end"), "{}", said(&ended));
 }

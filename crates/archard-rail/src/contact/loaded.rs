@@ -101,6 +101,16 @@ impl<'a> Loaded<'a> {
             peak_pressure: pressed.peak,
             contact_area: pressed.area,
             frictional_power: pressed.power,
+            // Forces on the rail, against the creepage of the wheel over it.
+            t_gamma: -(pressed.tangential[0] * creepage.longitudinal
+                + pressed.tangential[1] * creepage.lateral),
+            surface_fatigue: match pressed.normal > 0.0 {
+                true => {
+                    let [x, s] = pressed.tangential;
+                    x.hypot(s) / pressed.normal - self.bodies.shear_yield / pressed.peak
+                }
+                false => f64::NAN,
+            },
         }
     }
 }

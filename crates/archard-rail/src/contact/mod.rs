@@ -58,6 +58,8 @@ pub struct Bodies {
     pub flange: Option<Zone>,
     /// How the wheel and the rail wear.
     pub wear: Wear,
+    /// Yield stress in shear (Pa) of the softer of both.
+    pub shear_yield: f64,
 }
 
 /// A zone of the wheel with a friction of its own.

@@ -56,6 +56,19 @@ pub struct PatchMap {
     pub slip: [Vec<f64>; 2],
 }
 
+impl PatchMap {
+    /// The least and the largest s (m) that touch; `None` where nothing does.
+    pub(crate) fn width(&self) -> Option<[f64; 2]> {
+        let touches = |row: &usize| {
+            let along = self.elements[0];
+            self.pressure[row * along..(row + 1) * along].iter().any(|&pressure| pressure > 0.0)
+        };
+        let rows = || (0..self.elements[1]).filter(touches);
+        let edge = |row: usize| self.origin[1] + row as f64 * self.spacing[1];
+        Some([edge(rows().next()?), edge(rows().next_back()? + 1)])
+    }
+}
+
 /// Half of the second derivative of the parabola nearest to places: weights, and abscissas and ordinates from anywhere; 0 of fewer than
 /// three.
 fn parabola(places: &[(f64, f64, f64)]) -> f64 {

@@ -61,4 +61,9 @@ quantities! {
     contact_area as "contact_area_m2",
     /// Power (W) that friction dissipates.
     frictional_power as "frictional_power_W",
+    /// Work (N) of friction on each metre of rolling by its forces, without that of the spin: T gamma.
+    t_gamma as "t_gamma_N",
+    /// Friction used, tangential over normal force, less the yield stress in shear over the largest pressure: above 0 the surface flows
+    /// at every passage (A. Ekberg, E. Kabo and H. Andersson, 2002). Not a number of a patch that bears nothing.
+    surface_fatigue as "surface_fatigue_index",
 }

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
+use serde::{Deserialize, Serialize};
+
 use super::{Attitude, Velocity};
 
 /// The right side of the track, or the left one seen in a mirror.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Side {
     /// As the formulas are written.
     Right,

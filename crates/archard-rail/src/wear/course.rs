@@ -1,18 +1,24 @@
 //! How wheel and rail change over a route, in a few numbers.
 
-use super::{Travelled, Worn, error_of};
+use serde::{Deserialize, Serialize};
+
+use super::{Journey, Travelled, Worn, error_of};
 use crate::flange::Flange;
 use crate::setup::Side;
 
 /// The column of the equivalent conicity.
 pub const CONICITY: &str = "equivalent_conicity";
 
+/// The columns that are not a number unless they are asked for.
+pub const ASKED: [&str; 3] = ["wheel_crack_damage", "rail_crack_damage", CONICITY];
+
 /// The names of what is told of a side, each with its unit, in the order of [`Told::values`].
 ///
-/// Of the wheel the worn area of its section, its worn volume, its largest depth, the depth at the datum of the tread (y = 0), and
-/// height, thickness and gradient of the [`Flange`]; of the rail the worn area and the largest depth;
-/// of both the equivalent conicity, if it is asked for.
-pub const COLUMNS: [&str; 10] = [
+/// Of the wheel the worn area of its section, its worn volume, its largest depth, the depth at the datum of the tread (y = 0), height,
+/// thickness and gradient of the [`Flange`], and what turning the new profile again costs of the radius; of the rail the worn area and the
+/// largest depth;
+/// then of each its largest damage by cracks, and of both the equivalent conicity, if they are asked for.
+pub const COLUMNS: [&str; 13] = [
     "wheel_worn_area_m2",
     "wheel_worn_volume_m3",
     "wheel_depth_m",
@@ -20,13 +26,16 @@ pub const COLUMNS: [&str; 10] = [
     "flange_height_m",
     "flange_thickness_m",
     "flange_gradient_m",
+    "turning_depth_m",
     "rail_worn_area_m2",
     "rail_depth_m",
+    ASKED[0],
+    ASKED[1],
     CONICITY,
 ];
 
 /// What is told of a side at a share of the distance.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Told {
     /// Share of the distance that is behind.
     pub progress: f64,
@@ -36,23 +45,31 @@ pub struct Told {
     pub values: Vec<f64>,
 }
 
-impl Worn {
-    /// What is told of it by all of [`COLUMNS`] but the last, for a wheel whose back lies at that y (m).
-    pub fn told(&self, back: f64) -> Vec<f64> {
-        let deepest = |depths: Vec<f64>| depths.into_iter().fold(0.0, f64::max);
-        let flange = Flange::of(self.wheel.curve(), back);
+impl Journey {
+    /// What is told of a side by all of [`COLUMNS`] but the last.
+    pub(super) fn told(&self, worn: &Worn) -> Vec<f64> {
+        let Worn { wheel, rail, .. } = worn;
+        let deepest = |depths: &[f64]| depths.iter().copied().fold(0.0, f64::max);
+        let flange = Flange::of(wheel.curve(), self.setup.wheelset().flange_back_position);
         let flange = flange.map_or([f64::NAN; 3], |of| [of.height, of.thickness, of.gradient]);
         let [height, thickness, gradient] = flange;
+        let damage = |body: usize| match self.cracks[body] {
+            Some(_) => deepest(worn.profiles()[body].damage()),
+            None => f64::NAN,
+        };
         vec![
-            self.wheel.area(),
-            self.wheel.volume(),
-            deepest(self.wheel.depths()),
-            self.wheel.depth_at(0.0),
+            wheel.area(),
+            wheel.volume(),
+            deepest(&wheel.depths()),
+            wheel.depth_at(0.0),
             height,
             thickness,
             gradient,
-            self.rail.area(),
-            deepest(self.rail.depths()),
+            wheel.turning_depth(self.setup.wheel()),
+            rail.area(),
+            deepest(&rail.depths()),
+            damage(0),
+            damage(1),
         ]
     }
 }

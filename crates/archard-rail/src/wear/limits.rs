@@ -51,12 +51,17 @@ impl Travelled {
     /// The share of the distance at which a side reaches a limit, and its error: what half the elements and steps about twice as long
     /// change in it, infinite where the wheel does not reach it then. `None` where it is not reached.
     pub fn life(&self, limit: &Limit, side: Side) -> Option<[f64; 2]> {
-        let [fine, coarse, hasty] =
-            self.told.each_ref().map(|course| limit.reached(course, side).unwrap_or(f64::INFINITY));
-        fine.is_finite().then(|| {
-            let error = error_of([fine, coarse, hasty]);
-            [fine, if error.is_nan() { f64::INFINITY } else { error }]
+        let shares = self.reached(limit, side);
+        shares[0].is_finite().then(|| {
+            let error = error_of(shares);
+            [shares[0], if error.is_nan() { f64::INFINITY } else { error }]
         })
+    }
+
+    /// The shares of the distance at which a side reaches a limit in the three runs, in the order of [`error_of`]; infinite where it
+    /// does not.
+    pub fn reached(&self, limit: &Limit, side: Side) -> [f64; 3] {
+        self.told.each_ref().map(|course| limit.reached(course, side).unwrap_or(f64::INFINITY))
     }
 }
 

@@ -8,8 +8,11 @@
 use std::ops::ControlFlow;
 
 use archard::numerics::control::{Caution, Control};
+use serde::{Deserialize, Serialize};
 
+use super::kept::Kept;
 use super::rates::{Depths, Rates};
+use super::worn_profile::Lost;
 use super::{Journey, WearError, Worn, WornProfile};
 
 /// How steps change: the usual choice of codes for differential equations (Hairer, Norsett and Wanner 1993, II.4).
@@ -22,6 +25,8 @@ pub struct Step<'a> {
     pub progress: f64,
     /// The profiles.
     pub worn: &'a [Worn],
+    /// All that the route needs to go on from here.
+    pub kept: &'a Kept,
 }
 
 /// Where a route has led to.
@@ -33,32 +38,75 @@ pub(super) struct Gone {
     pub off: f64,
 }
 
+/// A place on a route, between two steps.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Place {
+    pub progress: f64,
+    pub steps: usize,
+    pub off: f64,
+    control: Control,
+    depths: Depths,
+    /// What the wheel and the rail of each side have lost.
+    pub lost: Vec<[Lost; 2]>,
+}
+
+impl Place {
+    /// The profiles that have lost so much.
+    pub(super) fn worn(&self, unworn: &[Worn]) -> Result<Vec<Worn>, WearError> {
+        advanced(unworn, &[(&self.lost, 1.0)])
+    }
+}
+
 impl Journey {
-    /// Goes over the whole route.
+    /// Goes over the whole route, or on from a place on it; `watch` is shown each place.
     pub(super) fn march(
         &self,
-        mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
+        from: Option<Place>,
+        mut watch: impl FnMut(&Place, &[Worn]) -> ControlFlow<()>,
     ) -> Result<Gone, WearError> {
-        let mut worn = self.unworn()?;
-        let mut depths: Depths = vec![vec![None; worn.len()]; self.route.points.len()];
-        let (mut progress, mut steps) = (0.0, 0);
-        let mut control = Control::first(self.tolerance.sqrt());
-        let mut show = |progress: f64, worn: &[Worn]| match watch(&Step { progress, worn }) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(WearError::Stopped { progress }),
-        };
-        show(progress, &worn)?;
-        let (mut first, mut off) = self.rates(&worn, progress, &mut depths)?;
-        while progress < 1.0 {
-            let left = 1.0 - progress;
+        let unworn = self.unworn()?;
+        let mut place = from.unwrap_or_else(|| Place {
+            progress: 0.0,
+            steps: 0,
+            off: 0.0,
+            control: Control::first(self.tolerance.sqrt()),
+            depths: vec![vec![None; unworn.len()]; self.route.points.len()],
+            lost: lost(&unworn),
+        });
+        let mut worn = place.worn(&unworn)?;
+        loop {
+            let progress = place.progress;
+            if watch(&place, &worn).is_break() {
+                return Err(WearError::Stopped { progress });
+            }
+            if progress >= 1.0 {
+                return Ok(Gone { worn, steps: place.steps, off: place.off });
+            }
+            let (first, off) = self.rates(&worn, progress, &mut place.depths)?;
+            place.off = place.off.max(off);
+            worn = self.step(&worn, &first, &mut place)?;
+            place.lost = lost(&worn);
+        }
+    }
+
+    /// The profiles after the longest step from a place that is let pass, with the rates there; the place moves with them.
+    fn step(
+        &self,
+        worn: &[Worn],
+        first: &Rates,
+        place: &mut Place,
+    ) -> Result<Vec<Worn>, WearError> {
+        let Place { progress, control, .. } = place;
+        let left = 1.0 - *progress;
+        loop {
             let length = control.next().min(left);
             if length < f64::EPSILON.sqrt() {
-                return Err(WearError::Unsteady { progress });
+                return Err(WearError::Unsteady { progress: *progress });
             }
-            let mut at_the_end = depths.clone();
-            let tried = advanced(&worn, &[(&first, length)])
-                .and_then(|end| self.rates(&end, progress + length, &mut at_the_end));
-            let (second, off_then) = match tried {
+            let mut at_the_end = place.depths.clone();
+            let tried = advanced(worn, &[(first, length)])
+                .and_then(|end| self.rates(&end, *progress + length, &mut at_the_end));
+            let (second, off) = match tried {
                 Ok(found) => found,
                 // Too far: what is wrong at the beginning of a step is told by the one before.
                 Err(error) => {
@@ -69,51 +117,43 @@ impl Journey {
                     continue;
                 }
             };
-            let error = norm(&worn, |one, body| {
-                let [a, b] = [&first, &second].map(|rates| &rates[one][body]);
+            let error = norm(worn, |one, body| {
+                let [a, b] = [first, &second].map(|rates| &rates[one][body].volume);
                 a.iter().zip(b).map(|(a, b)| 0.5 * length * (b - a)).collect()
             });
-            let whole = norm(&worn, |one, body| {
-                let gone = profile(&worn[one], body).gone();
-                gone.iter().zip(&first[one][body]).map(|(gone, rate)| gone + left * rate).collect()
+            let whole = norm(worn, |one, body| {
+                let gone = worn[one].profiles()[body].gone();
+                let rates = &first[one][body].volume;
+                gone.iter().zip(rates).map(|(gone, rate)| gone + left * rate).collect()
             });
             let share = if whole > 0.0 { error / (self.tolerance * whole) } else { 0.0 };
             let change = CAUTION.change(share.max(f64::MIN_POSITIVE), 1.0);
-            if share <= 1.0 {
-                worn = advanced(&worn, &[(&first, 0.5 * length), (&second, 0.5 * length)])?;
-                progress = if length >= left { 1.0 } else { progress + length };
-                steps += 1;
-                off = off.max(off_then);
-                show(progress, &worn)?;
-                depths = at_the_end;
-                if progress < 1.0 {
-                    let off_now;
-                    (first, off_now) = self.rates(&worn, progress, &mut depths)?;
-                    off = off.max(off_now);
-                }
-                control.taken(length, change);
-            } else {
+            if share > 1.0 {
                 control.rejected(length, change, CAUTION);
+                continue;
             }
+            let worn = advanced(worn, &[(first, 0.5 * length), (&second, 0.5 * length)])?;
+            *progress = if length >= left { 1.0 } else { *progress + length };
+            control.taken(length, change);
+            place.steps += 1;
+            place.off = place.off.max(off);
+            place.depths = at_the_end;
+            return Ok(worn);
         }
-        Ok(Gone { worn, steps, off })
     }
 }
 
-/// The wheel, or the rail.
-fn profile(worn: &Worn, body: usize) -> &WornProfile {
-    [&worn.wheel, &worn.rail][body]
+/// What profiles have lost.
+fn lost(worn: &[Worn]) -> Vec<[Lost; 2]> {
+    worn.iter().map(|one| one.profiles().map(WornProfile::lost)).collect()
 }
 
 /// The profiles after rates lasted for so long each.
 fn advanced(worn: &[Worn], rates: &[(&Rates, f64)]) -> Result<Vec<Worn>, WearError> {
     let after = |one: usize, body: usize| {
-        let before = profile(&worn[one], body);
-        let mut gone = before.gone().to_vec();
-        for (rates, length) in rates {
-            gone.iter_mut().zip(&rates[one][body]).for_each(|(gone, rate)| *gone += length * rate);
-        }
-        before.worn_to(gone)
+        let lost: Vec<_> =
+            rates.iter().map(|(rates, length)| (&rates[one][body], *length)).collect();
+        worn[one].profiles()[body].after(&lost)
     };
     (0..worn.len())
         .map(|one| Ok(Worn { side: worn[one].side, wheel: after(one, 0)?, rail: after(one, 1)? }))
@@ -123,7 +163,7 @@ fn advanced(worn: &[Worn], rates: &[(&Rates, f64)]) -> Result<Vec<Worn>, WearErr
 /// The size of volumes at the points of all profiles: the root of the sum of the squares of their depths.
 fn norm(worn: &[Worn], volumes: impl Fn(usize, usize) -> Vec<f64>) -> f64 {
     let squares = |one: usize, body: usize| {
-        let depths = profile(&worn[one], body).as_depths(&volumes(one, body));
+        let depths = worn[one].profiles()[body].as_depths(&volumes(one, body));
         depths.iter().map(|depth| depth * depth).sum::<f64>()
     };
     (0..worn.len()).flat_map(|one| [squares(one, 0), squares(one, 1)]).sum::<f64>().sqrt()

@@ -15,16 +15,22 @@
 //! [`Travelled::error`] is the sum of both. It holds for the profiles, the route, the smoothing and the wear law as given.
 
 mod course;
+mod cracks;
 mod filter;
+mod kept;
 mod limits;
 mod march;
 mod rates;
+mod turning;
 mod work;
 mod worn_profile;
 
-pub use course::{COLUMNS, CONICITY, Told};
+pub use course::{ASKED, COLUMNS, CONICITY, Told};
+pub use cracks::Cracks;
+pub use kept::Kept;
 pub use limits::Limit;
 pub use march::Step;
+pub use turning::{Plan, Turning};
 pub use worn_profile::WornProfile;
 
 use std::ops::ControlFlow;
@@ -118,6 +124,8 @@ pub struct Journey {
     pub sides: Vec<Side>,
     /// Materials and wear laws; friction is that of the points.
     pub bodies: Bodies,
+    /// How cracks damage the wheel and the rail; `None` where nobody asks for it.
+    pub cracks: [Option<Cracks>; 2],
     /// What it runs over.
     pub route: Route,
     /// Elements, and which stretches share a patch.
@@ -140,6 +148,13 @@ pub struct Worn {
     pub wheel: WornProfile,
     /// Its rail.
     pub rail: WornProfile,
+}
+
+impl Worn {
+    /// Wheel and rail.
+    pub fn profiles(&self) -> [&WornProfile; 2] {
+        [&self.wheel, &self.rail]
+    }
 }
 
 /// Why a route was not gone through.
@@ -255,6 +270,18 @@ impl Journey {
     /// If a value cannot be used, nothing wears, a contact is not found, the wear goes too deep, or it was stopped.
     pub fn travel(
         &self,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Travelled, WearError> {
+        self.go_on(Kept::default(), watch)
+    }
+
+    /// The same from a step on that was kept of this journey: what comes is the same to the bit.
+    ///
+    /// # Errors
+    /// As [`travel`](Self::travel).
+    pub fn go_on(
+        &self,
+        mut kept: Kept,
         mut watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<Travelled, WearError> {
         let Self { route, resolution, .. } = self.clone().checked()?;
@@ -262,7 +289,6 @@ impl Journey {
         if self.bodies.wear.iter().all(Option::is_none) {
             return Err(WearError::Unworn);
         }
-        let back = self.setup.wheelset().flange_back_position;
         let mut pass = |pass, elements, tolerance| {
             let journey = Self {
                 route: route.clone(),
@@ -270,24 +296,25 @@ impl Journey {
                 tolerance,
                 ..self.clone()
             };
-            let mut told = vec![];
-            let gone = journey.march(|step| {
-                let conicity = journey.conicity(step.worn);
-                let of = |one: &Worn| Told {
-                    progress: step.progress,
+            let from = kept.begin(pass);
+            journey.march(from, |place, worn| {
+                let progress = place.progress;
+                let conicity = journey.conicity(worn);
+                let told = worn.iter().map(|one| Told {
+                    progress,
                     side: one.side,
-                    values: [one.told(back), vec![conicity]].concat(),
-                };
-                told.extend(step.worn.iter().map(of));
-                watch(pass, step)
-            })?;
-            Ok::<_, WearError>((gone, told))
+                    values: [journey.told(one), vec![conicity]].concat(),
+                });
+                kept.take(pass, place, told);
+                watch(pass, &Step { progress, worn, kept: &kept })
+            })
         };
         // The error of a step grows with its square.
         let loose = (4.0 * self.tolerance).min(1.0);
-        let (hasty, of_hasty) = pass(Pass::Hasty, elements / 2, loose)?;
-        let (coarse, of_coarse) = pass(Pass::Coarse, elements / 2, self.tolerance)?;
-        let (fine, told) = pass(Pass::Fine, elements, self.tolerance)?;
+        let hasty = pass(Pass::Hasty, elements / 2, loose)?;
+        let coarse = pass(Pass::Coarse, elements / 2, self.tolerance)?;
+        let fine = pass(Pass::Fine, elements, self.tolerance)?;
+        let [of_hasty, of_coarse, told] = kept.told;
         Ok(Travelled {
             worn: fine.worn,
             coarse: coarse.worn,

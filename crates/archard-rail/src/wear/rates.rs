@@ -3,12 +3,13 @@
 use archard::simulation::WornLine;
 use rayon::prelude::*;
 
+use super::worn_profile::{Lost, Strip};
 use super::{Journey, OperatingPoint, WearError, Worn};
 use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution};
 use crate::setup::{Setup, Side};
 
-/// Volumes (m^3, of a rail m^2) that each point of the wheel and of the rail loses over the whole distance, for each side.
-pub(super) type Rates = Vec<[Vec<f64>; 2]>;
+/// What each point of the wheel and of the rail loses over the whole distance, for each side.
+pub(super) type Rates = Vec<[Lost; 2]>;
 
 /// How far (m) wheels went down at each point of the route and each side, to begin with the next time.
 pub(super) type Depths = Vec<Vec<Option<f64>>>;
@@ -16,8 +17,17 @@ pub(super) type Depths = Vec<Vec<Option<f64>>>;
 /// What is lost at a point of the route, on each side, and how far what is borne is off the load, relative to it.
 type AtPoint = (Vec<Strips>, f64);
 
-/// What lines of patches lose: for the wheel and for the rail, their ends (m along the curve) and the volume (m^3, of a rail m^2).
-type Strips = [Vec<([f64; 2], f64)>; 2];
+/// What patches take of the wheel and of the rail.
+type Strips = [Taken; 2];
+
+/// What patches take of a profile.
+#[derive(Debug, Default)]
+struct Taken {
+    /// Volumes (m^3, of a rail m^2) of lines.
+    volumes: Vec<Strip>,
+    /// Damage under patches.
+    damage: Vec<Strip>,
+}
 
 impl OperatingPoint {
     /// Those bodies with the friction of this point.
@@ -72,20 +82,28 @@ impl Journey {
             })
         });
         let strips = strips.collect::<Vec<Result<AtPoint, _>>>();
-        let none = |one: &Worn| [&one.wheel, &one.rail].map(|profile| vec![0.0; profile.len()]);
+        let none = |one: &Worn| {
+            [&one.wheel, &one.rail].map(|profile| {
+                let nothing = vec![0.0; profile.len()];
+                Lost { volume: nothing.clone(), damage: nothing }
+            })
+        };
         let mut rates: Rates = worn.iter().map(none).collect();
         let mut off = 0.0;
         for (point, strips) in self.route.points.iter().zip(strips) {
             let (strips, of_point) = strips?;
             off += point.share * of_point;
             for ((one, strips), rates) in worn.iter().zip(strips).zip(&mut rates) {
-                one.wheel.lay(&strips[0], &mut rates[0]);
-                one.rail.lay(&strips[1], &mut rates[1]);
+                for ((profile, taken), lost) in one.profiles().into_iter().zip(&strips).zip(rates) {
+                    profile.lay(&taken.volumes, &mut lost.volume);
+                    profile.cover(&taken.damage, &mut lost.damage);
+                }
             }
         }
-        for (one, [wheel, rail]) in worn.iter().zip(&mut rates) {
-            *wheel = one.wheel.smoothed(std::mem::take(wheel));
-            *rail = one.rail.smoothed(std::mem::take(rail));
+        for (one, rates) in worn.iter().zip(&mut rates) {
+            for (profile, lost) in one.profiles().into_iter().zip(rates) {
+                lost.volume = profile.smoothed(std::mem::take(&mut lost.volume));
+            }
         }
         Ok((rates, off))
     }
@@ -110,7 +128,8 @@ impl Journey {
             off = off.max(loaded.off(&patches));
             let mut strips = Strips::default();
             for patch in &patches {
-                self.of_patch(&loaded, patch, point, &mut strips)?;
+                self.wear_of(&loaded, patch, point, &mut strips)?;
+                self.cracks_of(&loaded, patch, point, &mut strips)?;
             }
             Ok::<Strips, ContactError>(strips)
         };
@@ -119,7 +138,7 @@ impl Journey {
     }
 
     /// Adds what the lines of a patch lose.
-    fn of_patch(
+    fn wear_of(
         &self,
         loaded: &Loaded<'_>,
         patch: &Pressed,
@@ -142,7 +161,33 @@ impl Journey {
             let strip = |(line, ends): (&&WornLine, &[f64])| {
                 ([ends[0], ends[1]], line.depths[body] * line.width * metres[body])
             };
-            strips[body].extend(lines.iter().zip(places[body].chunks(2)).map(strip));
+            let lost = lines.iter().zip(places[body].chunks(2)).map(strip);
+            strips[body].volumes.extend(lost);
+        }
+        Ok(())
+    }
+
+    /// Adds the damage that a patch does over its width, on each metre.
+    fn cracks_of(
+        &self,
+        loaded: &Loaded<'_>,
+        patch: &Pressed,
+        point: &OperatingPoint,
+        strips: &mut Strips,
+    ) -> Result<(), ContactError> {
+        let Some(ends) = patch.map.width() else { return Ok(()) };
+        if self.cracks == [None; 2] {
+            return Ok(());
+        }
+        let told = loaded.tell(patch);
+        let rolled = patch.creepage.speed / point.velocity.forward;
+        let metres = [self.route.distance * rolled, self.route.axles];
+        let places = loaded.search().gap(&patch.patch).places(&ends);
+        let places = places.ok_or(ContactError::Short { y: patch.patch.reference.y })?;
+        for body in 0..2 {
+            let Some(cracks) = &self.cracks[body] else { continue };
+            let damage = cracks.of_passage(told.t_gamma) * point.share * metres[body];
+            strips[body].damage.push(([places[body][0], places[body][1]], damage));
         }
         Ok(())
     }

@@ -9,6 +9,7 @@
 use std::f64::consts::TAU;
 
 use archard::parameters::Invalid;
+use serde::{Deserialize, Serialize};
 
 use super::WearError;
 use super::filter::Filter;
@@ -30,9 +31,23 @@ pub struct WornProfile {
     points: Vec<Point>,
     /// Volume (m^3) that is gone at each point; of a rail that of one metre (m^3/m).
     gone: Vec<f64>,
+    /// Damage by cracks at each point.
+    damage: Vec<f64>,
     curve: Curve,
     filter: Filter,
 }
+
+/// What a profile loses at each of its points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Lost {
+    /// Volume (m^3, of a rail m^2).
+    pub volume: Vec<f64>,
+    /// Damage by cracks, negative where they are worn off.
+    pub damage: Vec<f64>,
+}
+
+/// A strip of a curve: its ends (m along the curve), and what it loses or what passes over it.
+pub(super) type Strip = ([f64; 2], f64);
 
 /// A point of the unworn profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,7 +135,7 @@ impl WornProfile {
         let filter = Filter::new(smoothing, weights, links.collect());
         let gone = vec![0.0; points.len()];
         let curve = through(points.iter().map(|point| point.at).collect())?;
-        Ok(Self { part, points, gone, curve, filter })
+        Ok(Self { part, points, damage: gone.clone(), gone, curve, filter })
     }
 
     /// The worn curve (m).
@@ -160,6 +175,16 @@ impl WornProfile {
         &self.gone
     }
 
+    /// Damage by cracks at each point: at 1 a crack is expected.
+    pub fn damage(&self) -> &[f64] {
+        &self.damage
+    }
+
+    /// All that it has lost.
+    pub(super) fn lost(&self) -> Lost {
+        Lost { volume: self.gone.clone(), damage: self.damage.clone() }
+    }
+
     /// Volume (m^3) that is gone; of a rail that of one metre (m^2).
     pub fn volume(&self) -> f64 {
         self.gone.iter().sum()
@@ -171,9 +196,25 @@ impl WornProfile {
         self.points.iter().zip(&self.gone).map(of).sum()
     }
 
-    /// What a volume a metre (m^2) across strips of the present curve is at each point: `strips` holds the ends of each
-    /// (m along the curve), and what a metre of its length loses.
-    pub(super) fn lay(&self, strips: &[([f64; 2], f64)], onto: &mut [f64]) {
+    /// What strips of the present curve lose at each point: `strips` holds the ends of each (m along the curve), and what it loses.
+    pub(super) fn lay(&self, strips: &[Strip], onto: &mut [f64]) {
+        for &(ends, lost) in strips {
+            self.under(ends, |at, share, _| onto[at] += lost * share);
+        }
+    }
+
+    /// What passes over strips of the present curve, at each point: `strips` holds the ends of each (m along the curve), and what all the
+    /// metres do that roll over it. A place of a wheel is met once on each of its circumferences, that of a rail at each axle.
+    pub(super) fn cover(&self, strips: &[Strip], onto: &mut [f64]) {
+        for &(ends, passing) in strips {
+            self.under(ends, |at, _, covered| {
+                onto[at] += passing * covered / self.points[at].girth;
+            });
+        }
+    }
+
+    /// Calls with each point that a strip lies on, the share of the strip that lies on it, and the share of the point that it covers.
+    fn under(&self, [one, other]: [f64; 2], mut each: impl FnMut(usize, f64, f64)) {
         let nodes = self.curve.nodes();
         let last = nodes.len() - 1;
         let edge = |at: usize| match at {
@@ -181,14 +222,12 @@ impl WornProfile {
             at if at > last => f64::INFINITY,
             at => 0.5 * (nodes[at - 1] + nodes[at]),
         };
-        for &([one, other], lost) in strips {
-            let (from, to) = (one.min(other), one.max(other));
-            let first = nodes.partition_point(|&node| node < from).saturating_sub(1);
-            let cells = onto.iter_mut().enumerate().skip(first);
-            for (at, cell) in cells.take_while(|(at, _)| edge(*at) < to) {
-                let share = (edge(at + 1).min(to) - edge(at).max(from)) / (to - from);
-                *cell += lost * share.max(0.0);
-            }
+        let (from, to) = (one.min(other), one.max(other));
+        let first = nodes.partition_point(|&node| node < from).saturating_sub(1);
+        for at in (first..=last).take_while(|&at| edge(at) < to) {
+            let on = (edge(at + 1).min(to) - edge(at).max(from)).max(0.0);
+            let width = edge(at + 1).min(self.curve.length()) - edge(at).max(0.0);
+            each(at, on / (to - from), on / width);
         }
     }
 
@@ -206,6 +245,21 @@ impl WornProfile {
     /// The volumes with their waves smoothed, the whole kept.
     pub(super) fn smoothed(&self, volumes: Vec<f64>) -> Vec<f64> {
         self.filter.smooth(volumes)
+    }
+
+    /// The same after those losses lasted for so long each.
+    ///
+    /// # Errors
+    /// As [`worn_to`](Self::worn_to).
+    pub(super) fn after(&self, losses: &[(&Lost, f64)]) -> Result<Self, WearError> {
+        let (mut gone, mut damage) = (self.gone.clone(), self.damage.clone());
+        for (lost, length) in losses {
+            gone.iter_mut().zip(&lost.volume).for_each(|(gone, rate)| *gone += length * rate);
+            damage.iter_mut().zip(&lost.damage).for_each(|(all, rate)| *all += length * rate);
+        }
+        // What is worn off where nothing is cracked leaves no credit.
+        damage.iter_mut().for_each(|damage| *damage = damage.max(0.0));
+        Ok(Self { damage, ..self.worn_to(gone)? })
     }
 
     /// The same with so much gone (m^3, of a rail m^2) at each point.

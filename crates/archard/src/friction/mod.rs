@@ -4,6 +4,7 @@
 
 mod coulomb;
 mod disc;
+mod falling;
 mod grip;
 mod map;
 mod orthotropic;
@@ -14,6 +15,7 @@ use std::fmt::Debug;
 
 pub use coulomb::Coulomb;
 pub use disc::{Beyond, onto_disc};
+pub use falling::Falling;
 pub use grip::{Circumstance, Circumstances, Grip, Limits};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
@@ -54,8 +56,8 @@ pub trait Friction: Debug + Send + Sync {
 
 /// The friction laws a case can name.
 pub const FRICTION: &[Choice<Box<dyn Friction>>] =
-    &[coulomb::CHOICE, orthotropic::CHOICE, tresca::CHOICE, table::CHOICE];
+    &[coulomb::CHOICE, orthotropic::CHOICE, tresca::CHOICE, falling::CHOICE, table::CHOICE];
 
 /// Where they are from, and how a case has them, in the same order.
 pub const ABOUT_FRICTION: &[About] =
-    &[coulomb::ABOUT, orthotropic::ABOUT, tresca::ABOUT, table::ABOUT];
+    &[coulomb::ABOUT, orthotropic::ABOUT, tresca::ABOUT, falling::ABOUT, table::ABOUT];

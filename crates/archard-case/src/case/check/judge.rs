@@ -8,6 +8,7 @@ use super::{
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::verdict::{self, EDGES, Line, Word};
+use archard::body::Body;
 use archard::estimate::Contact;
 use archard::motion::Stepping;
 use archard::problem;

@@ -1,17 +1,21 @@
 //! A case of a wheel on a rail.
 
+use super::super::chosen::Chosen;
 use super::super::key::is_bare;
 use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::{Entry, Item};
-use super::super::wheel_rail::{LIMITS, RAILS, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase};
-use archard::parameters::{Choice, Values};
+use super::super::wheel_rail::{
+    CRACKS, LIMITS, RAILS, REPROFILING, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase,
+};
+use archard::parameters::{Choice, Parameter, Values};
 use archard_rail::contact::Resolution;
+use archard_rail::wear::Cracks;
 
 /// The tables of such a case.
-const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion", "until"];
+const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion", "until", "reprofiling"];
 /// What a wheel or a rail may have.
-const OF_BODIES: &[&str] = &["material", "profile", "wear"];
+const OF_BODIES: &[&str] = &["material", "profile", "wear", "cracks"];
 
 impl Reader<'_> {
     /// Whether a case is about a wheel on a rail.
@@ -43,17 +47,11 @@ impl Reader<'_> {
             Some(_) => self.friction(root).flatten(),
         };
         let elements = self.elements_of_patches(root);
-        let before = self.problems.len();
-        let until = match root.get("until") {
-            None => Values::default(),
-            Some((key, entry)) => {
-                let section = self.as_table(key, &entry.node)?;
-                self.values(&section, LIMITS).0
-            }
-        };
-        let until = (self.problems.len() == before).then_some(until);
+        let until = self.values_of(root, "until", LIMITS);
+        let reprofiling = self.values_of(root, "reprofiling", REPROFILING);
         Some(WheelRailCase {
             until: until?,
+            reprofiling: reprofiling?,
             title: title?,
             wheel: wheel?,
             rail: rail?,
@@ -61,6 +59,27 @@ impl Reader<'_> {
             motion: motion?,
             elements: elements?,
         })
+    }
+
+    /// The values of a section, none where it is left out; `None` if they are wrong.
+    fn values_of(
+        &mut self,
+        root: &Section<'_>,
+        name: &str,
+        parameters: &'static [Parameter],
+    ) -> Option<Values> {
+        let Some((key, entry)) = root.get(name) else { return Some(Values::default()) };
+        let before = self.problems.len();
+        let section = self.as_table(key, &entry.node)?;
+        let values = self.values(&section, parameters).0;
+        (self.problems.len() == before).then_some(values)
+    }
+
+    /// How a body cracks, `Some(None)` where nobody asks for it; `None` if it is wrong.
+    fn cracks(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Cracks>>> {
+        let Some((key, entry)) = body.get("cracks") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        self.required(&section, "model of cracks", CRACKS).map(Some)
     }
 
     /// The body with that kind of profile.
@@ -100,13 +119,14 @@ impl Reader<'_> {
         let profile = self.table(&section, "profile", "the profile")?;
         let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
         let wear = self.wear(&section);
+        let cracks = self.cracks(&section);
         let Some(material) = material? else {
             let message = "bodies that roll are elastic";
             self.push(Problem::error(section.key.child("rigid"), message).at_name());
             return None;
         };
         let (name, hardness, material) = (entry.name.clone(), material.hardness, material.elastic);
-        Some(Rolled { name, material, hardness, profile: profile?, wear: wear? })
+        Some(Rolled { name, material, hardness, profile: profile?, wear: wear?, cracks: cracks? })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.

@@ -1,7 +1,7 @@
 //! Limits of a wheel in service, `until` of a case: any of them ends its life.
 
 use archard::parameters::{Parameter, Quantity, Values};
-use archard_rail::wear::{CONICITY, Limit};
+use archard_rail::wear::{ASKED, CONICITY, Limit};
 
 /// What limits a wheel may have.
 pub const LIMITS: &[Parameter] = &[
@@ -15,16 +15,20 @@ pub const LIMITS: &[Parameter] = &[
     Parameter::optional("flange_gradient", Quantity::Length, "least gradient qR"),
     Parameter::optional("tread_depth", Quantity::Length, "largest depth at the datum of the tread"),
     Parameter::optional("wheel_depth", Quantity::Length, "largest depth of the wheel"),
+    Parameter::optional("turning_depth", Quantity::Length, "largest loss of radius by turning"),
+    Parameter::optional("crack_damage", Quantity::Number, "largest damage of the wheel by cracks"),
     Parameter::optional(CONICITY, Quantity::Number, "largest equivalent conicity at 3 mm"),
 ];
 
 /// The columns of these, and whether a wheel is worn below them.
-const COLUMNS: [(&str, &str, bool); 6] = [
+const COLUMNS: [(&str, &str, bool); 8] = [
     ("flange_thickness", "flange_thickness_m", true),
     ("flange_height", "flange_height_m", false),
     ("flange_gradient", "flange_gradient_m", true),
     ("tread_depth", "tread_depth_m", false),
     ("wheel_depth", "wheel_depth_m", false),
+    ("turning_depth", "turning_depth_m", false),
+    ("crack_damage", ASKED[0], false),
     (CONICITY, CONICITY, false),
 ];
 

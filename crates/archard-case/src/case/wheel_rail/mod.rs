@@ -1,10 +1,12 @@
 //! A case of a railway wheel on its rail: what to compute, in SI, and what to expect.
 
+mod cracks;
 mod forecast;
 mod history;
 mod limits;
 mod prepared;
 pub(super) mod print;
+mod reprofiling;
 mod running;
 mod shape;
 
@@ -20,11 +22,13 @@ use archard_rail::curve::Curve;
 use archard_rail::flange::{self, Flange};
 use archard_rail::search::Onset;
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
-use archard_rail::wear::{Pass, Step, WearError};
+use archard_rail::wear::{ASKED, Cracks, Pass, Step, WearError};
 
+pub use cracks::CRACKS;
 pub use forecast::WheelRailForecast;
 pub use limits::LIMITS;
 pub use prepared::Prepared;
+pub use reprofiling::REPROFILING;
 pub use running::{Running, State, WHEEL_RAIL};
 pub use shape::{RAILS, RailShape, Shape, WHEELS, WheelShape};
 
@@ -32,6 +36,7 @@ use super::chosen::Chosen;
 use super::key::Key;
 use super::problem::Problem;
 use crate::output::{RailResults, rail_files};
+use crate::verdict;
 
 /// A wheel or a rail, with its profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +51,8 @@ pub struct Rolled<S: 'static> {
     pub profile: Chosen<S>,
     /// How it wears; `None` if it does not.
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    /// How it cracks; `None` where nobody asks for it.
+    pub cracks: Option<Chosen<Cracks>>,
 }
 
 /// A checked case of a wheel on a rail, in SI. It prints as a case file that reads back to the same bits.
@@ -64,6 +71,8 @@ pub struct WheelRailCase {
     pub motion: Chosen<Running>,
     /// Limits of the wheel in service, by `LIMITS`.
     pub until: Values,
+    /// How the wheel is turned again, by `REPROFILING`; empty where nobody asks for it.
+    pub reprofiling: Values,
     /// Elements along x, and as many across, over the overlap of each patch, where they are given.
     pub elements: Option<usize>,
 }
@@ -170,6 +179,7 @@ impl WheelRailCase {
             rail: self.rail.material,
             friction: friction.into(),
             flange: None,
+            shear_yield: verdict::shear_yield(hardness.unwrap_or(verdict::RAIL_STEEL)),
             wear: [
                 law(&self.wheel.wear, &self.wheel.name)?,
                 law(&self.rail.wear, &self.rail.name)?,
@@ -179,10 +189,42 @@ impl WheelRailCase {
         resolution.elements = self.elements.unwrap_or(resolution.elements);
         let formats = [wheel.shape.format, rail.shape.format];
         let limits = limits::limits(&self.until, wheel.radius);
-        let prepared =
-            Prepared { setup, samples, hardness, bodies, resolution, running, limits, formats };
+        let cracks = self.cracks()?;
+        let turning = reprofiling::turning(&self.reprofiling, wheel.radius)
+            .map_err(at(Key::of(["reprofiling"])))?;
+        let prepared = Prepared {
+            setup,
+            samples,
+            hardness,
+            bodies,
+            resolution,
+            running,
+            limits,
+            cracks,
+            turning,
+            formats,
+        };
         self.hold(&prepared)?;
         Ok(prepared)
+    }
+
+    /// How wheel and rail crack.
+    fn cracks(&self) -> Result<[Option<Cracks>; 2], Problem> {
+        let of = |name: &str, cracks: &Option<Chosen<Cracks>>, wears: bool| {
+            let Some(cracks) = cracks else { return Ok(None) };
+            let key = Key::of(["body", name, "cracks", cracks.choice.name]);
+            if !wears {
+                let message = "cracks compete with wear: give the body a wear law";
+                return Err(Problem::error(key, message));
+            }
+            let at = |error: Invalid| Problem::error(key.child(&error.parameter), error.message);
+            cracks.build().map(Some).map_err(at)
+        };
+        let Self { wheel, rail, .. } = self;
+        Ok([
+            of(&wheel.name, &wheel.cracks, wheel.wear.is_some())?,
+            of(&rail.name, &rail.cracks, rail.wear.is_some())?,
+        ])
     }
 
     /// Refuses a flange that lies farther from its back than any is thick: y = 0 of the profile is elsewhere.
@@ -214,6 +256,11 @@ impl WheelRailCase {
         let flange = Flange::of(setup.wheel(), setup.wheelset().flange_back_position);
         for limit in &prepared.limits {
             let key = limit.column.strip_suffix("_m").unwrap_or(limit.column);
+            if limit.column == ASKED[0] && prepared.cracks[0].is_none() {
+                let message =
+                    format!("`{}` has no model of cracks: give `cracks.t_gamma`", self.wheel.name);
+                return Err(Problem::error(until.child("crack_damage"), message));
+            }
             let new = match (key, &flange) {
                 ("flange_thickness", Some(flange)) => flange.thickness,
                 ("flange_height", Some(flange)) => flange.height,
@@ -242,6 +289,10 @@ impl WheelRailCase {
         let Running { distance, axles, .. } = prepared.running;
         if !prepared.limits.is_empty() {
             self.hold_limits(prepared)?;
+        }
+        if prepared.turning.is_some() && !prepared.wears()[0] {
+            let message = format!("`{}` has no wear law: nothing is turned", self.wheel.name);
+            return Err(Problem::error(Key::of(["reprofiling"]), message));
         }
         let motion = Key::of(["motion", "wheel_rail"]);
         let extents = [

@@ -9,14 +9,16 @@ use archard_rail::file::Format;
 use archard_rail::flange;
 use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
-use archard_rail::wear::{CONICITY, Journey, Limit, Pass, Route, Step, Worn, error_of};
+use archard_rail::wear::{
+    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Turning, Worn, error_of,
+};
 use rayon::prelude::*;
 
 use super::RailError;
 use super::forecast::AMPLITUDE;
 use super::running::{Columns, Running, State, title};
 use crate::output::{
-    AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailResults, RailWear,
+    AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailPlan, RailResults, RailWear,
 };
 
 /// A wheel over its rail, ready to be pressed on in any state.
@@ -31,6 +33,10 @@ pub struct Prepared {
     pub(super) resolution: Resolution,
     /// Limits of the wheel in service.
     pub(super) limits: Vec<Limit>,
+    /// How wheel and rail crack.
+    pub(super) cracks: [Option<Cracks>; 2],
+    /// How the wheel is turned again.
+    pub(super) turning: Option<Turning>,
     /// How the case has the wheelset stand and run.
     pub running: Running,
     /// The formats in which the profiles of the wheel and of the rail were read.
@@ -38,6 +44,11 @@ pub struct Prepared {
 }
 
 impl Prepared {
+    /// All that a route is computed from and that a case only names, in words: profiles and points.
+    pub fn computed_from(&self) -> String {
+        format!("{:?} {:?}", self.setup, self.running)
+    }
+
     /// Which of wheel and rail wear.
     pub fn wears(&self) -> [bool; 2] {
         self.bodies.wear.each_ref().map(Option::is_some)
@@ -51,10 +62,22 @@ impl Prepared {
         &self,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
+        self.go_on(Kept::default(), watch)
+    }
+
+    /// The same from a step on that was kept of this route.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve).
+    pub fn go_on(
+        &self,
+        kept: Kept,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<RailResults, RailError> {
         if let Some(within) = self.running.within {
             let (route, history) = self.gathered(within)?;
             let running = Running { route, within: None, ..self.running.clone() };
-            let results = Self { running, ..self.clone() }.solve(watch)?;
+            let results = Self { running, ..self.clone() }.go_on(kept, watch)?;
             return Ok(RailResults { history: Some(history), ..results });
         }
         if self.wears() == [false; 2] {
@@ -62,7 +85,7 @@ impl Prepared {
         }
         let journey = self.journey()?;
         let mut contacts = self.all(None)?;
-        let travelled = journey.travel(watch)?;
+        let travelled = journey.go_on(kept, watch)?;
         contacts.extend(self.all(Some(&travelled.worn))?);
         // Rails of other wear are met on the way: only a worn wheel keeps its conicity.
         let conicity = |worn: Option<&[Worn]>| {
@@ -78,10 +101,15 @@ impl Prepared {
         let error = fine.zip(coarse).zip(hasty);
         let error = error.map(|((fine, coarse), hasty)| error_of([fine, coarse, hasty]));
         let lives = Life::of(&self.limits, &self.running.sides, &travelled);
+        let plans = self.turning.iter().flat_map(|turning| {
+            RailPlan::of(turning, &self.limits, &self.running.sides, &travelled)
+        });
         let wear = RailWear {
+            plans: plans.collect(),
             lives,
             extent: [journey.route.distance, journey.route.axles],
             wears: self.wears(),
+            cracks: self.cracks.map(|cracks| cracks.is_some()),
             conicity: [conicity(None), fine, error],
             formats: self.formats,
             travelled,
@@ -239,6 +267,7 @@ impl Prepared {
             setup: self.setup.clone(),
             sides: self.running.sides.clone(),
             bodies: self.bodies.clone(),
+            cracks: self.cracks,
             route,
             resolution: self.resolution,
             tolerance: self.running.tolerance,

@@ -2,7 +2,9 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{LIMITS, Rolled, WheelRailCase};
+use archard::parameters::{Parameter, Values};
+
+use super::{LIMITS, REPROFILING, Rolled, WheelRailCase};
 use crate::case::print::{number, print_chosen, quoted, si};
 
 impl Display for WheelRailCase {
@@ -17,21 +19,32 @@ impl Display for WheelRailCase {
         }
         print_chosen(f, "friction", &self.friction)?;
         print_chosen(f, "motion", &self.motion)?;
-        for parameter in LIMITS {
-            let key = parameter.name;
-            match (self.until.number(key), self.until.word(key), parameter.quantity.unit()) {
-                (Some(value), _, "") => writeln!(f, "until.{key} = {}", number(value))?,
-                (Some(value), _, unit) => writeln!(f, "until.{key} = {}", si(value, unit))?,
-                (None, Some(word), _) => writeln!(f, "until.{key} = {}", quoted(word))?,
-                (None, None, _) => {}
-            }
-        }
-        Ok(())
+        print_values(f, "until", &self.until, LIMITS)?;
+        print_values(f, "reprofiling", &self.reprofiling, REPROFILING)
     }
 }
 
+/// The values of a section.
+fn print_values(
+    f: &mut Formatter<'_>,
+    section: &str,
+    values: &Values,
+    parameters: &[Parameter],
+) -> fmt::Result {
+    for parameter in parameters {
+        let key = parameter.name;
+        match (values.number(key), values.word(key), parameter.quantity.unit()) {
+            (Some(value), _, "") => writeln!(f, "{section}.{key} = {}", number(value))?,
+            (Some(value), _, unit) => writeln!(f, "{section}.{key} = {}", si(value, unit))?,
+            (None, Some(word), _) => writeln!(f, "{section}.{key} = {}", quoted(word))?,
+            (None, None, _) => {}
+        }
+    }
+    Ok(())
+}
+
 pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
-    let Rolled { name, material, hardness, profile, wear } = body;
+    let Rolled { name, material, hardness, profile, wear, cracks } = body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
@@ -41,6 +54,9 @@ pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) ->
     print_chosen(f, &format!("{key}.profile"), profile)?;
     if let Some(wear) = wear {
         print_chosen(f, &format!("{key}.wear"), wear)?;
+    }
+    if let Some(cracks) = cracks {
+        print_chosen(f, &format!("{key}.cracks"), cracks)?;
     }
     writeln!(f)
 }

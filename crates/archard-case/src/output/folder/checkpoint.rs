@@ -54,10 +54,7 @@ impl Kept {
     /// If one of them is missing, shorter than it was or somebody else's.
     fn find(&self, claim: &Claim) -> Result<(), Error> {
         let dir = &claim.dir;
-        let damaged = || Error::NoCheckpoint {
-            dir: dir.clone(),
-            why: "its checkpoint is damaged; start the run anew",
-        };
+        let damaged = || torn(dir);
         let [history, profiles, ..] = self.tables;
         if history.is_none() || profiles.is_none() {
             return Err(damaged());
@@ -131,6 +128,16 @@ pub(super) fn find_any(claim: &Claim) -> Result<(), Error> {
 
 /// What was kept in a folder: the results so far, and the run.
 fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
+    let content = open(dir, FORMAT)?;
+    let (kept, run) = postcard::take_from_bytes(&content).map_err(|_| torn(dir))?;
+    Ok((kept, run.to_vec()))
+}
+
+/// What the checkpoint in a folder holds that begins with that line.
+///
+/// # Errors
+/// If there is none, or it is damaged or of another version.
+pub(super) fn open(dir: &Path, format: &str) -> Result<Vec<u8>, Error> {
     let path = dir.join(NAME);
     let refuse = |why: &'static str| Error::NoCheckpoint { dir: dir.to_owned(), why };
     let bytes = match files::read(&path, Contents::Numbers) {
@@ -138,15 +145,18 @@ fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(refuse(missing(dir))),
         Err(source) => return Err(Error::Read { path, source }),
     };
-    let Some(rest) = bytes.strip_prefix(FORMAT.as_bytes()) else {
+    let Some(rest) = bytes.strip_prefix(format.as_bytes()) else {
         return Err(refuse(
             "its checkpoint is of another version of the program, or none; start the run anew",
         ));
     };
-    let torn = || refuse("its checkpoint is damaged; start the run anew");
-    let content = unseal(rest).ok_or_else(torn)?;
-    let (kept, run) = postcard::take_from_bytes(content).map_err(|_| torn())?;
-    Ok((kept, run.to_vec()))
+    unseal(rest).map(<[u8]>::to_vec).ok_or_else(|| torn(dir))
+}
+
+/// A checkpoint that is not as it was written.
+pub(super) fn torn(dir: &Path) -> Error {
+    let why = "its checkpoint is damaged; start the run anew";
+    Error::NoCheckpoint { dir: dir.to_owned(), why }
 }
 
 /// Why there is no checkpoint.

@@ -4,6 +4,7 @@ mod behind;
 mod checkpoint;
 mod claim;
 mod lock;
+mod route;
 #[cfg(test)]
 mod tests;
 
@@ -17,6 +18,7 @@ use behind::Behind;
 use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;
+pub use route::RouteKeeper;
 
 use super::distributions::{self, DISTRIBUTIONS};
 use super::evidence::Evidence;
