@@ -176,10 +176,15 @@ impl<'a> Host<'a> {
         heights
     }
 
-    /// The way that the zone looks along z: positive upwards.
+    /// The mean of its outward normals along z: zero of a zone that goes all around.
     pub fn looks(&self) -> f64 {
-        let faces = self.finite.meshed.zone.faces.iter();
-        faces.map(|face| self.in_frame(self.finite.meshed.mesh.area_vector(*face).into()).z).sum()
+        let faces = &self.finite.meshed.zone.faces;
+        let vectors =
+            faces.iter().map(|face| DVec3::from(self.finite.meshed.mesh.area_vector(*face)));
+        let [sum, all] = vectors.fold([0.0; 2], |[sum, all], vector| {
+            [sum + self.in_frame(vector).z, all + vector.length()]
+        });
+        if all > 0.0 { sum / all } else { 0.0 }
     }
 
     /// One for body 1, whose outward normal is that of the frame; minus one for body 2.

@@ -15,6 +15,7 @@ use crate::body::{Body, Elasticity, Interpolation};
 use crate::compliance::fem::{Carrier, Inside, OnNodes};
 use crate::compliance::{Carried, Compliance, Dense};
 use crate::frame::{ContactFrame, OffTheSurface, Pairs, VectorField};
+use crate::numerics::SAME;
 
 /// Two bodies, one of them meshed at least, and the pairs where they may touch.
 pub struct Meeting<'a> {
@@ -70,7 +71,7 @@ impl<'a> Meeting<'a> {
                 if opposite.host.surface.mirrored != host.host.surface.mirrored {
                     return Err(ContactError::Symmetry);
                 }
-                if opposite.host.looks() * host.host.looks() > 0.0 {
+                if opposite.host.looks() * host.host.looks() > SAME {
                     return Err(ContactError::SameWay { body: 1 });
                 }
                 let transfer = Transfer::new(&host.host, &opposite.host)?;
