@@ -10,7 +10,7 @@ mod half_space;
 mod maxima;
 mod section;
 
-pub use fatigue::Criterion;
+pub use fatigue::{Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
 pub use maxima::{Layer, Maxima, Maximum};
 pub use section::{Sampled, Section, SectionError};

@@ -277,7 +277,10 @@ impl Case {
 
     /// What puts out the inside of its bodies at the end.
     pub fn inside(&self) -> Inside {
-        Inside::at(self.points.clone()).on(self.sections.clone()).largest(self.stresses.clone())
+        Inside::at(self.points.clone())
+            .on(self.sections.clone())
+            .largest(self.stresses.clone())
+            .repeating(self.frame.periodic)
     }
 
     /// The frame after it became wider so many times.

@@ -1,23 +1,28 @@
 //! What the last tractions of a contact make of the inside of bodies.
 
+use std::collections::VecDeque;
 use std::error::Error as StdError;
 use std::path::Path;
 
 use super::elastic::{POINTS, depth, section_file, write_points, write_sections};
-use super::stress::{self, Stresses, WantedStresses};
+use super::stress::{self, Passing, Stresses, WantedStresses};
 use super::table::Table;
 use super::{Error, Manifest, Store, Surface};
-use archard::body::{Finite, Material};
+use archard::body::{Body, Finite, Material};
 use archard::compliance::Unsolved;
 use archard::compliance::bem::Boundary;
 use archard::compliance::bem::contact::Job;
-use archard::elastic::{self, Deformed, ElasticError, Point, Pressed, Section};
+use archard::elastic::{self, Cycle, Deformed, ElasticError, Point, Pressed, Section};
 use archard::frame::{ContactFrame, VectorField};
+use archard::motion::Shift;
 use archard::problem::ContactProblem;
 use archard::simulation::{Observer, Report};
 
 /// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2, where they lie in contact.
 pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
+
+/// Instants of a cycle so near to each other, relative to the cycle, are one: they differ by rounding alone.
+const SAME: f64 = 1e-9;
 
 /// Keeps the last tractions and the wear of a run, for the stresses inside where these are asked for.
 #[derive(Debug)]
@@ -29,6 +34,10 @@ pub struct Inside {
     last: Option<(VectorField, [Vec<f64>; 2])>,
     /// The frame of the last tractions, which may have grown.
     frame: Option<ContactFrame>,
+    /// Whether the surfaces repeat themselves with the frame.
+    repeats: bool,
+    /// The tractions of the last cycle, each with how far the motion had gone, where fatigue along it is asked for.
+    cycle: VecDeque<(f64, VectorField)>,
 }
 
 /// Why stresses inside are not there.
@@ -63,6 +72,8 @@ impl Inside {
             store: None,
             last: None,
             frame: None,
+            repeats: false,
+            cycle: VecDeque::new(),
         }
     }
 
@@ -76,6 +87,12 @@ impl Inside {
     #[must_use]
     pub fn largest(self, stresses: [Option<WantedStresses>; 2]) -> Self {
         Self { stresses, ..self }
+    }
+
+    /// The same of surfaces that repeat themselves with the frame, or do not.
+    #[must_use]
+    pub fn repeating(self, repeats: bool) -> Self {
+        Self { repeats, ..self }
     }
 
     /// The same with a store: equations are solved for all tractions of the contact once, and what comes out is kept
@@ -128,7 +145,7 @@ impl Inside {
             let failed = |cause| InsideError::Body { body: body.clone(), cause };
             let first = [("body", body.clone())];
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
-            if let Some(pressed) = Pressed::in_contact(bodies, which, frame, tractions) {
+            if let Some(pressed) = self.pressed(bodies, which, frame, tractions) {
                 let found = pressed.points(points).map_err(failed)?;
                 if let Some(table) = &mut table {
                     write_points(table, &first, (points, &found), |place| Some(-place[2]))?;
@@ -137,7 +154,13 @@ impl Inside {
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
                 if let Some(wanted) = &self.stresses[which] {
                     pressed.check(&wanted.depths).map_err(failed)?;
-                    let place = (&mut manifest, which, problem.motion.direction.axis);
+                    let passing = match problem.motion.increments() {
+                        Some(shift) if wanted.fatigue.is_wanted() => {
+                            Passing::Cycle(self.whole(shift, bodies, (which, frame)))
+                        }
+                        _ => Passing::Along(problem.motion.direction.axis),
+                    };
+                    let place = (&mut manifest, which, &passing);
                     stresses.add(body, stress::write(place, bodies[which], wanted, &pressed)?);
                 }
                 continue;
@@ -168,6 +191,37 @@ impl Inside {
         Ok(stresses)
     }
 
+    /// A half-space under tractions; `None` of another body.
+    fn pressed(
+        &self,
+        bodies: [&Body; 2],
+        which: usize,
+        frame: &ContactFrame,
+        tractions: &VectorField,
+    ) -> Option<Pressed> {
+        let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
+        Some(if self.repeats { pressed.repeated() } else { pressed })
+    }
+
+    /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
+    fn whole(
+        &self,
+        shift: &Shift,
+        bodies: [&Body; 2],
+        (which, frame): (usize, &ContactFrame),
+    ) -> Option<Cycle> {
+        let (last, _) = self.cycle.back()?;
+        let (begun, period) = (last - shift.period(), shift.period());
+        let seen = self.cycle.iter().zip(&shift.places);
+        let same = |((progress, _), place): (&(f64, VectorField), &f64)| {
+            (progress - begun - place).abs() < SAME * period
+        };
+        let whole = self.cycle.len() == shift.places.len() && seen.into_iter().all(same);
+        let instants = self.cycle.iter();
+        let instants = instants.map(|(_, tractions)| self.pressed(bodies, which, frame, tractions));
+        whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
+    }
+
     /// Displacements and tractions all over a body under tractions of contact.
     fn solve(
         &self,
@@ -191,11 +245,21 @@ impl Observer for Inside {
             };
             if !self.frame.as_ref().is_some_and(same) {
                 self.frame = Some(now.clone());
+                self.cycle.clear();
             }
-            self.last = Some((
-                report.problem.tractions(report.state),
-                [0, 1].map(|body| report.state.worn(body).into_owned()),
-            ));
+            let tractions = report.problem.tractions(report.state);
+            let tires = |one: &Option<WantedStresses>| {
+                one.as_ref().is_some_and(|wanted| wanted.fatigue.is_wanted())
+            };
+            let shift = report.problem.motion.increments();
+            if let Some(shift) = shift.filter(|_| !report.again && self.stresses.iter().any(tires))
+            {
+                self.cycle.push_back((report.state.progress, tractions.clone()));
+                while self.cycle.len() > shift.cycle.len() {
+                    self.cycle.pop_front();
+                }
+            }
+            self.last = Some((tractions, [0, 1].map(|body| report.state.worn(body).into_owned())));
         }
         Ok(())
     }

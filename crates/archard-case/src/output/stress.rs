@@ -6,7 +6,7 @@ use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict;
 use archard::body::{Body, Material};
-use archard::elastic::{Criterion, Maxima, Maximum, Pressed};
+use archard::elastic::{Criterion, Cycle, Maxima, Maximum, Pressed};
 use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, TABOR};
 
@@ -102,9 +102,18 @@ fn field_file(body: &str) -> String {
     format!("stress_{body}.vtr")
 }
 
+/// What the points of a body go through.
+#[derive(Debug)]
+pub(super) enum Passing {
+    /// The contact, along an axis.
+    Along(usize),
+    /// A cycle of it; `None` where the run did not see it whole.
+    Cycle(Option<Cycle>),
+}
+
 /// Writes the table and, if it is wanted, the field of a body; the block of the summary and the lines of the verdict.
 pub(super) fn write(
-    (manifest, which, axis): (&mut Manifest, usize, usize),
+    (manifest, which, passing): (&mut Manifest, usize, &Passing),
     body: &Body,
     wanted: &WantedStresses,
     pressed: &Pressed,
@@ -126,17 +135,30 @@ pub(super) fn write(
     let mut block = block(pressed, &maxima, (wanted, strength));
     let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
     for criterion in criteria.into_iter().flatten() {
-        let found = pressed.fatigue(&criterion, (&depths, &wanted.initial), axis);
+        let at = (&depths[..], &wanted.initial);
+        let found = match passing {
+            Passing::Along(axis) => pressed.fatigue(&criterion, at, *axis),
+            Passing::Cycle(cycle) => cycle.as_ref().and_then(|cycle| cycle.fatigue(&criterion, at)),
+        };
         let of = format!("`{}` of `{}`", criterion.name(), body.name);
         let stated = found.filter(|own| own.value != 0.0);
         lines.extend(stated.map(|own| verdict::measured(own.error / own.value.abs(), &of)));
-        block["fatigue"][criterion.name()] = json!(found.map(|own| json!({
-            "value": own.value,
-            "error": own.error,
-            "unit": if matches!(criterion, Criterion::FatemiSocie(..)) { "" } else { "Pa" },
-            "across_m": own.place[1 - axis],
-            "depth_m": 0.0 - own.place[2],
-        })));
+        block["fatigue"][criterion.name()] = json!(found.map(|own| {
+            let mut told = json!({
+                "value": own.value,
+                "error": own.error,
+                "unit": if matches!(criterion, Criterion::FatemiSocie(..)) { "" } else { "Pa" },
+            });
+            match passing {
+                Passing::Along(axis) => told["across_m"] = json!(own.place[1 - axis]),
+                Passing::Cycle(_) => {
+                    told["x_m"] = json!(own.place[0]);
+                    told["y_m"] = json!(own.place[1]);
+                }
+            }
+            told["depth_m"] = json!(0.0 - own.place[2]);
+            told
+        }));
     }
     Ok((block, lines))
 }

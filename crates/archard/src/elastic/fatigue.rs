@@ -1,5 +1,7 @@
-//! Fatigue of a body whose points pass through the contact: each row below it along the motion is the path of stresses that a point goes
-//! through, from far in front of the contact to far behind it.
+//! Fatigue of a body, by the path of stresses that a point goes through.
+//!
+//! Where points pass through the contact, each row below it along the motion is such a path, from far in front of the contact to far behind
+//! it. Where they stay under a contact that goes through a cycle, as in fretting, the instants of the cycle are.
 
 use rayon::prelude::*;
 
@@ -11,11 +13,16 @@ use crate::stress::criteria::{
 };
 use crate::stress::{Components, tension};
 
-/// Rows of a plane at which criteria that look for a plane of the material are asked, those of the largest amplitude of shear and those of
+/// Paths of a depth of which criteria that look for a plane of the material are asked, those of the largest amplitude of shear and those of
 /// the largest tension. A choice of effort.
 const ROWS: usize = 8;
 /// Parts that the depth of the worst is placed in, between the depths that are looked at, by golden sections. A choice of effort.
 const SECTIONS: usize = 8;
+
+/// The order of even elements.
+const ALONG: f64 = 2.0;
+/// The order of tractions where pairs stick and slip in turn: an edge between both lies between two elements.
+const STICKS: f64 = 1.0;
 
 /// A criterion with its factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,8 +73,55 @@ impl Criterion {
     }
 }
 
-/// The worst of a plane: the value, and the place (m) of its row across the motion.
-type Worst = (f64, f64);
+/// The worst of a plane: the value, and where along x and y (m) it is.
+type Worst = (f64, [f64; 2]);
+
+/// A path of stresses, and where along x and y (m) its point is.
+type Path = ([f64; 2], Vec<Components>);
+
+/// The worst at these depths (m) and between them, of what is worst in a plane on elements of once, twice and four times the size: a field
+/// of that order or less.
+fn deepest(
+    depths: &[f64],
+    order: f64,
+    worst: &(dyn Fn(usize, f64) -> Option<Worst> + Sync),
+) -> Option<Maximum> {
+    let all: Vec<Option<Worst>> = depths.iter().map(|&depth| worst(0, depth)).collect();
+    let value = |at: usize| all[at].map_or(f64::NEG_INFINITY, |(value, _)| value);
+    let best = (0..depths.len()).max_by(|&a, &b| value(a).total_cmp(&value(b)))?;
+    let (mut depth, mut largest) = (depths[best], all[best]?);
+    // Between the depths next to it, by parts of a golden section.
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let mut ends = [depths[best.saturating_sub(1)], depths[(best + 1).min(depths.len() - 1)]];
+    for _ in 0..SECTIONS {
+        let width = ends[1] - ends[0];
+        let inner = [ends[1] - golden * width, ends[0] + golden * width];
+        let found = inner.map(|depth| worst(0, depth));
+        for (inner, found) in inner.into_iter().zip(found) {
+            if let Some(found) = found.filter(|found| found.0 > largest.0) {
+                (depth, largest) = (inner, found);
+            }
+        }
+        let [low, high] = found.map(|found| found.map_or(f64::NEG_INFINITY, |found| found.0));
+        if low < high { ends[0] = inner[0] } else { ends[1] = inner[1] }
+    }
+    let values = [worst(1, depth)?.0, worst(2, depth)?.0];
+    let [x, y] = largest.1;
+    Some(Maximum::of_order([largest.0, values[0], values[1]], [x, y, -depth], order))
+}
+
+impl Criterion {
+    /// What it says at most of paths.
+    fn worst(&self, paths: &[Path]) -> Option<Worst> {
+        let chosen =
+            if self.seeks_a_plane() { foremost(paths) } else { (0..paths.len()).collect() };
+        let values: Vec<Worst> = chosen
+            .into_par_iter()
+            .map(|path: usize| (self.of(&paths[path].1), paths[path].0))
+            .collect();
+        values.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
 
 impl Pressed {
     /// What a criterion says at most of points that pass along an axis, at these depths (m) and between them, with an even stress added.
@@ -78,52 +132,34 @@ impl Pressed {
         (depths, initial): (&[f64], &Components),
         axis: usize,
     ) -> Option<Maximum> {
-        let worst =
-            |below: &Below, depth: f64| self.worst(below, depth, (criterion, initial), axis);
-        let all: Vec<Option<Worst>> =
-            depths.iter().map(|&depth| worst(&self.below, depth)).collect();
-        let value = |at: usize| all[at].map_or(f64::NEG_INFINITY, |(value, _)| value);
-        let best = (0..depths.len()).max_by(|&a, &b| value(a).total_cmp(&value(b)))?;
-        let (mut depth, mut largest) = (depths[best], all[best]?);
-        // Between the depths next to it, by parts of a golden section.
-        let golden = 0.5 * (5f64.sqrt() - 1.0);
-        let mut ends = [depths[best.saturating_sub(1)], depths[(best + 1).min(depths.len() - 1)]];
-        for _ in 0..SECTIONS {
-            let width = ends[1] - ends[0];
-            let inner = [ends[1] - golden * width, ends[0] + golden * width];
-            let found = inner.map(|depth| worst(&self.below, depth));
-            for (inner, found) in inner.into_iter().zip(found) {
-                if let Some(found) = found.filter(|found| found.0 > largest.0) {
-                    (depth, largest) = (inner, found);
-                }
-            }
-            let [low, high] = found.map(|found| found.map_or(f64::NEG_INFINITY, |found| found.0));
-            if low < high { ends[0] = inner[0] } else { ends[1] = inner[1] }
-        }
-        let coarse = self.below.coarser();
-        let far = coarse.coarser();
-        let values = [worst(&coarse, depth)?.0, worst(&far, depth)?.0];
-        let mut place = [0.0, 0.0, -depth];
-        place[1 - axis] = largest.1;
-        Some(Maximum::of([largest.0, values[0], values[1]], place))
+        let coarser = self.coarser();
+        deepest(depths, ALONG, &|level, depth| {
+            let below = self.level(&coarser, level);
+            criterion.worst(&self.rows(below, depth, initial, axis))
+        })
     }
 
-    /// The worst row of a plane.
-    fn worst(
-        &self,
-        below: &Below,
-        depth: f64,
-        (criterion, initial): (&Criterion, &Components),
-        axis: usize,
-    ) -> Option<Worst> {
+    /// What is below on elements of twice and four times the size.
+    fn coarser(&self) -> [Below; 2] {
+        let coarse = self.below.coarser();
+        let far = coarse.coarser();
+        [coarse, far]
+    }
+
+    /// What is below on elements of that level, from these on.
+    fn level<'a>(&'a self, coarser: &'a [Below; 2], level: usize) -> &'a Below {
+        level.checked_sub(1).map_or(&self.below, |level| &coarser[level])
+    }
+
+    /// The paths of points that pass along an axis at a depth (m); rows that are not known are left out.
+    fn rows(&self, below: &Below, depth: f64, initial: &Components, axis: usize) -> Vec<Path> {
         let plane = below.plane(depth);
         let elements = below.elements();
         let [along, across] = [elements[axis], elements[1 - axis]];
-        let row = |row: usize| -> Option<(f64, Vec<Components>)> {
+        let row = |row: usize| -> Option<Path> {
             let element = |step: usize| {
                 if axis == 0 { step + elements[0] * row } else { row + elements[0] * step }
             };
-            let place = below.place(element(0))[1 - axis];
             let mut path: Vec<Components> = vec![*initial];
             for step in 0..along {
                 let element = element(step);
@@ -133,24 +169,61 @@ impl Pressed {
                 }
                 path.push(std::array::from_fn(|i| plane[i][element] + initial[i]));
             }
-            Some((place, path))
+            Some((below.place(element(0)), path))
         };
-        let rows: Vec<(f64, Vec<Components>)> = (0..across).filter_map(row).collect();
-        let chosen =
-            if criterion.seeks_a_plane() { foremost(&rows) } else { (0..rows.len()).collect() };
-        let values: Vec<Worst> = chosen
-            .into_par_iter()
-            .map(|row: usize| (criterion.of(&rows[row].1), rows[row].0))
-            .collect();
-        values.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))
+        (0..across).filter_map(row).collect()
     }
 }
 
-/// The rows of the largest amplitudes of shear, and those of the largest tension.
-fn foremost(rows: &[(f64, Vec<Components>)]) -> Vec<usize> {
+/// A half-space at each instant of a cycle of its contact. Its points stay where they are below the frame.
+#[derive(Debug)]
+pub struct Cycle {
+    instants: Vec<(Pressed, [Below; 2])>,
+}
+
+impl Cycle {
+    /// Of the half-space at the instants, in their order.
+    pub fn of(instants: Vec<Pressed>) -> Self {
+        let levels = |pressed: Pressed| {
+            let coarser = pressed.coarser();
+            (pressed, coarser)
+        };
+        Self { instants: instants.into_iter().map(levels).collect() }
+    }
+
+    /// What a criterion says at most of all points, at these depths (m) and between them, with an even stress added. `None` where
+    /// nothing is known.
+    pub fn fatigue(
+        &self,
+        criterion: &Criterion,
+        (depths, initial): (&[f64], &Components),
+    ) -> Option<Maximum> {
+        deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, initial)))
+    }
+
+    /// The paths of points below the centres of elements at a depth (m); those that are not known at all instants are left out.
+    fn paths(&self, level: usize, depth: f64, initial: &Components) -> Vec<Path> {
+        let planes: Vec<[Vec<f64>; 6]> =
+            self.instants.iter().map(|(one, own)| one.level(own, level).plane(depth)).collect();
+        let Some((pressed, coarser)) = self.instants.first() else { return vec![] };
+        let below = pressed.level(coarser, level);
+        let path = |element: usize| {
+            let [x, y] = below.place(element);
+            let known = self.instants.iter().all(|(pressed, _)| pressed.knows([x, y, -depth]));
+            let stress = |plane: &[Vec<f64>; 6]| -> Components {
+                std::array::from_fn(|i| plane[i][element] + initial[i])
+            };
+            known.then(|| ([x, y], planes.iter().map(stress).collect()))
+        };
+        (0..below.pressure().len()).filter_map(path).collect()
+    }
+}
+
+/// The paths of the largest amplitudes of shear, and those of the largest tension.
+fn foremost(paths: &[Path]) -> Vec<usize> {
     let foremost = |measure: &(dyn Fn(&[Components]) -> f64 + Sync)| {
-        let values: Vec<f64> = rows.par_iter().map(|(_, path)| measure(path)).collect();
-        let mut order: Vec<usize> = (0..rows.len()).collect();
+        let values: Vec<f64> = paths.par_iter().map(|(_, path)| measure(path)).collect();
+        let mut order: Vec<usize> = (0..paths.len()).collect();
         order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
         order.into_iter().take(ROWS)
     };

@@ -69,6 +69,13 @@ impl Pressed {
         Some(Self { sides: cut(frame, below.pressure()), below })
     }
 
+    /// The same where tractions repeat themselves with the frame, whose elements are an even number or one along each axis: nothing is cut.
+    #[must_use]
+    pub fn repeated(self) -> Self {
+        let far = [f64::NEG_INFINITY, f64::INFINITY];
+        Self { sides: [far; 2], below: self.below.repeated() }
+    }
+
     /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
     /// frame.
     pub fn at(&self, place: [f64; 3]) -> Option<Response> {

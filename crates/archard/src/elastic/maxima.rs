@@ -62,10 +62,15 @@ pub struct Maxima {
 
 impl Maximum {
     /// Of the value on elements of once, twice and four times the size at that place.
-    pub(super) fn of([value, near, far]: [f64; 3], place: [f64; 3]) -> Self {
+    pub(super) fn of(values: [f64; 3], place: [f64; 3]) -> Self {
+        Self::of_order(values, place, ORDERS[1])
+    }
+
+    /// The same of a field whose order is no more than that.
+    pub(super) fn of_order([value, near, far]: [f64; 3], place: [f64; 3], most: f64) -> Self {
         let (first, second) = ((value - near).abs(), (near - far).abs());
-        let order = (second / first).log2().clamp(ORDERS[0], ORDERS[1]);
-        let order = if order.is_nan() { ORDERS[1] } else { order };
+        let order = (second / first).log2().clamp(ORDERS[0], most);
+        let order = if order.is_nan() { most } else { order };
         let ratio = order.exp2();
         // One of both differences may vanish by chance.
         let error = first.max(second / ratio) / (ratio - 1.0);

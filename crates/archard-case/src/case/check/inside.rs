@@ -52,6 +52,11 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     problems
 }
 
+/// Whether elements of four times the size fill a frame that repeats itself, an even number or one along each axis.
+fn halves(elements: [usize; 2]) -> bool {
+    elements.iter().all(|count| *count == 1 || count.is_multiple_of(8))
+}
+
 /// What a half-space has no stresses for.
 fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     let case = parts.case;
@@ -72,8 +77,10 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     }
     let refused = Pressed::refuses(parts.bodies.each_ref(), which).or_else(|| {
         let table = matches!(parts.motion.sequence, Sequence::Table(_)) && parts.friction.is_some();
-        if case.frame.periodic {
-            Some("repeats itself with the frame: stresses in it are not computed")
+        if case.frame.periodic && name != "stress" {
+            Some("repeats itself with the frame: displacements and stresses at single places are not computed, the largest are: `output.stress`")
+        } else if case.frame.periodic && !halves(case.frame.elements) {
+            Some("repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis")
         } else if table {
             Some("slides in another direction at each station of the table: with friction, stresses in it are not computed")
         } else {
@@ -87,8 +94,10 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
         let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
-        if !passes || parts.motion.lever_arm() == Some(Lever::Radius) {
-            let message = "is for a body whose points pass through the contact along an axis, one after the other; under this motion they do not";
+        let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
+        let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
+        if !cycle && (!passes || parts.motion.lever_arm() == Some(Lever::Radius)) {
+            let message = "is for a body whose points pass through the contact along an axis, one after the other, or stay under it while it goes through a cycle; under this motion they do neither";
             return vec![Problem::error(key, message).at_name()];
         }
         let strength = stresses.as_ref().and_then(|own| own.strength).or(body.known_hardness());

@@ -10,6 +10,7 @@ mod slope;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod waves;
 
 use std::f64::consts::PI;
 
@@ -17,6 +18,7 @@ use crate::body::Material;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::Convolution;
 use crate::stress::Components;
+use waves::Waves;
 
 /// What is below even tractions on the elements of a uniform frame.
 ///
@@ -35,6 +37,8 @@ pub struct Below {
     /// The corners of the elements, or the edges of strips, where tractions change (m), and by how much (Pa).
     changes: Vec<([f64; 2], [f64; 3])>,
     convolution: Convolution,
+    /// The tractions as waves, where they repeat themselves with the frame.
+    waves: Option<Waves>,
 }
 
 impl std::fmt::Debug for Below {
@@ -70,10 +74,30 @@ impl Below {
     ) -> Self {
         let convolution = Convolution::padded(elements);
         let changes = vec![];
-        let mut below =
-            Self { material, elements, spacing, corner, tractions, depth, changes, convolution };
+        let mut below = Self {
+            material,
+            elements,
+            spacing,
+            corner,
+            tractions,
+            depth,
+            changes,
+            convolution,
+            waves: None,
+        };
         below.changes = below.changes();
         below
+    }
+
+    /// The same under tractions that repeat themselves with the frame, whose elements are an even number or one along each axis.
+    #[must_use]
+    pub fn repeated(self) -> Self {
+        Self { waves: Some(Waves::on(self.elements)), ..self }
+    }
+
+    /// Length (m) of the frame along x and y.
+    fn size(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.spacing[axis] * self.elements[axis] as f64)
     }
 
     /// Under the means of the same tractions over elements of twice the size, one more where their number is odd.
@@ -92,7 +116,9 @@ impl Below {
             coarse
         };
         let tractions = self.tractions.each_ref().map(mean);
-        Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth)
+        let coarser =
+            Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth);
+        if self.waves.is_some() { coarser.repeated() } else { coarser }
     }
 
     /// Size of an element along x and y (m), along x alone under a line of contact.
@@ -137,6 +163,9 @@ impl Below {
     /// steps at their edges.
     pub fn stress(&self, place: [f64; 3]) -> Components {
         let depth = -place[2];
+        if let Some(waves) = &self.waves {
+            return turned(waves.stress(self, [place[0], place[1]], depth));
+        }
         let [hx, hy] = self.spacing();
         if depth >= hx.max(hy) {
             return self.even([place[0], place[1]], depth);

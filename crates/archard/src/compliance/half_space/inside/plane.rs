@@ -16,7 +16,14 @@ impl Below {
     /// component, in the order xx, yy, zz, xy, xz, yz, one value an element.
     pub fn plane(&self, depth: f64) -> [Vec<f64>; 6] {
         let [nx, ny] = self.elements;
-        let kernels = self.kernels(depth);
+        let (convolution, kernels) = match &self.waves {
+            None => (&self.convolution, self.kernels(depth)),
+            Some(waves) => {
+                let first = if self.rubs() { 0 } else { 12 };
+                let kernel = |index: usize| waves.kernel(self, (index / 6, index % 6), depth);
+                (waves.convolution(), (first..ALL).map(kernel).collect())
+            }
+        };
         let mut fields = [0; 6].map(|_| vec![0.0; nx * ny]);
         if self.rubs() {
             let [one, two] = [0, 3].map(|first| {
@@ -24,14 +31,17 @@ impl Below {
             });
             let tractions = self.tractions.each_ref().map(|traction| &traction[..]);
             let [xx, yy, zz, xy, xz, yz] = &mut fields;
-            self.convolution.apply_matrix(one, tractions, [xx, yy, zz]);
-            self.convolution.apply_matrix(two, tractions, [xy, xz, yz]);
+            convolution.apply_matrix(one, tractions, [xx, yy, zz]);
+            convolution.apply_matrix(two, tractions, [xy, xz, yz]);
         } else {
             for (kernel, field) in kernels.iter().zip(&mut fields) {
-                self.convolution.apply_matrix([[(kernel, 1.0)]], [&self.tractions[2]], [field]);
+                convolution.apply_matrix([[(kernel, 1.0)]], [&self.tractions[2]], [field]);
             }
         }
         fields[4..].iter_mut().flatten().for_each(|value| *value = -*value);
+        if self.waves.is_some() {
+            return fields;
+        }
         let added: Vec<_> =
             (0..nx * ny).into_par_iter().map(|element| self.varying(depth, element)).collect();
         for (component, field) in fields.iter_mut().enumerate() {
@@ -82,7 +92,7 @@ impl Below {
 
 /// Whether a component under tractions along an axis keeps its sign where x and where y are reversed: it changes by each index that
 /// is reversed.
-fn parity(component: usize, axis: usize, line: bool) -> [Parity; 2] {
+pub(super) fn parity(component: usize, axis: usize, line: bool) -> [Parity; 2] {
     const INDICES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
     let indices = INDICES[component];
     [0, 1].map(|reversed| {
