@@ -184,7 +184,7 @@ supports = { base = "clamped" }
 "#;
 
 /// The load (N) of that contact, by Hertz.
-const LOAD: f64 = 1538.461_538;
+const LOAD: f64 = 1_538.461_538;
 
 /// Pressures are those of Hertz, and so are stresses below the middle (M. T. Huber, *Annalen der Physik* 319 (1904), 153).
 #[test]
