@@ -14,7 +14,7 @@ const RADIUS: f64 = 50e-3;
 const POINTS: usize = 61;
 const PIXEL: f64 = 20.0;
 
-/// A ball as a matrix of heights (um) in a text, tilted and with holes beside the contact if asked for.
+/// A ball as a matrix of heights (um) in a text, tilted and with holes next to the contact if asked for.
 fn ball(tilt: f64, holes: bool) -> String {
     let place = |at: usize| (at as f64 - 0.5 * (POINTS - 1) as f64) * PIXEL;
     let height = |x: usize, y: usize| {

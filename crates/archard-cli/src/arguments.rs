@@ -274,7 +274,7 @@ pub struct Report {
     /// The page; report.html in the first folder if not given
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Measured tables (CSV) to show beside the run, as `archard compare` reads them
+    /// Measured tables (CSV) to show next to the run, as `archard compare` reads them
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
     #[command(flatten)]

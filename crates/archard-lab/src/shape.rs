@@ -126,7 +126,7 @@ struct Slope {
 }
 
 impl Slope {
-    /// Least squares for the exponent beside k.
+    /// Least squares for the exponent besides k.
     fn of(test: &Test, fitted: &Fitted, weights: &[f64]) -> Option<Self> {
         let size = weights.len();
         let sum =
@@ -146,7 +146,7 @@ impl Slope {
     }
 }
 
-/// The exponent of the load that k goes by, where a constant k says 0; `None` without three tests at two loads.
+/// The exponent of the load that k depends on, where a constant k says 0; `None` without three tests at two loads.
 pub fn over_loads(tests: &[Test], fitted: &[Fitted]) -> Option<Exponent> {
     let point = |(test, fitted): (&Test, &Fitted)| Some([test.load?.ln(), fitted.log_k]);
     let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect::<Option<_>>()?;

@@ -165,7 +165,7 @@ impl Table {
         self.headings.iter().filter(other).map(|heading| heading.title.as_str()).collect()
     }
 
-    /// The texts in a column; `None` where there is none of that name.
+    /// The texts in a column; `None` where none exists of that name.
     pub fn texts(&self, name: &str) -> Option<Vec<&str>> {
         let column = self.column(name)?;
         Some(self.rows.iter().map(|row| row.cells[column].as_str()).collect())

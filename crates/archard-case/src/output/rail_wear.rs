@@ -78,7 +78,7 @@ pub struct RailPlan {
 }
 
 impl RailPlan {
-    /// The plans of wheels of these sides: at the first limit, or at the end where there is none, and where a metre costs least.
+    /// The plans of wheels of these sides: at the first limit, or at the end where none exists, and where a metre costs least.
     pub fn of(
         turning: &Turning,
         limits: &[Limit],

@@ -129,7 +129,7 @@ fn refused(path: &Path, error: csv::Error) -> Error {
     Error::Write { path: path.to_owned(), source: io::Error::from(error) }
 }
 
-/// A number with all its digits; empty where there is none.
+/// A number with all its digits; empty where none exists.
 pub(super) fn number(value: f64) -> String {
     if value.is_nan() {
         String::new()

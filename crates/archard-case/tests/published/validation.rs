@@ -34,7 +34,7 @@ impl Line {
         self.found / read(&self.expected.value, &self.expected.column) - 1.0
     }
 
-    /// What tells the line apart from others.
+    /// What separates the line from others.
     fn key(&self) -> String {
         let Expected { column, at, point, options, value, source, .. } = &self.expected;
         let place = at.as_ref().or(point.as_ref());

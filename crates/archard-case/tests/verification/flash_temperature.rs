@@ -285,7 +285,7 @@ fn rolling_tells_the_speed_of_slip() {
     }
 }
 
-/// A law that goes by the temperature stops where it is not known: by the engine, too, which `check` does not ask.
+/// A law that depends on the temperature stops where it is not known: by the engine, too, which `check` does not ask.
 #[test]
 fn laws_stop_where_the_temperature_is_not_known() {
     let built = |thermal: Option<Thermal>, speed: f64, friction: bool| {

@@ -1,4 +1,4 @@
-//! Friction that goes by the speed, the distance slid and the temperature.
+//! Friction that depends on the speed, the distance slid and the temperature.
 
 use approx::assert_relative_eq;
 use archard::friction::{Circumstance, Coulomb, Friction, Table};

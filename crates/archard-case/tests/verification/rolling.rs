@@ -137,7 +137,7 @@ fn creep_forces_on_a_circle() {
     }
 }
 
-/// Cylinders of a given half width (m) in contact over a length so great beside it that the strain is plane
+/// Cylinders of a given half width (m) in contact over a length so great against it that the strain is plane
 /// but at the ends, on one row of elements: the frame 2.2 half widths wide.
 fn strip(elements: usize, half_width: f64, bodies: [(f64, f64, f64); 2], options: &str) -> String {
     let length = 200.0 * half_width;

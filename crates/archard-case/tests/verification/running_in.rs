@@ -10,7 +10,7 @@ use crate::common::{STEEL, case, states};
 
 /// Rates at which the first three modes decay on so many elements along a side, and those of the closed form.
 ///
-/// An implicit step of T leaves 1 / (1 + m T) of a mode, whatever its length, which tells m. The disc is a
+/// An implicit step of T leaves 1 / (1 + m T) of a mode, whatever its length, which gives m. The disc is a
 /// staircase of whole elements; as its radius counts that of a circle of the same area. On whole elements
 /// modes are not quite orthogonal, and later steps would mix the slowest, by then the largest, into the
 /// others.

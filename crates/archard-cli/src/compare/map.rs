@@ -1,4 +1,4 @@
-//! A measured height map beside the worn surface of a run.
+//! A measured height map next to the worn surface of a run.
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{WORN_VOLUME, of_body};

@@ -11,7 +11,7 @@ use super::results::{mark, read_summary};
 use super::rows::Rows;
 use super::{OVERVIEW, Picture};
 
-/// How many times a worn depth is drawn, at most, so that it is seen beside its profile: the largest of these that leaves it below
+/// How many times a worn depth is drawn, at most, so that it is seen next to its profile: the largest of these that leaves it below
 /// a tenth of the height.
 const MAGNIFIED: [f64; 7] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 

@@ -188,7 +188,7 @@ impl Results {
         Some(if motion.direction.axis == 1 { Axis::Y } else { Axis::X })
     }
 
-    /// The axis along which the surface of a body passes, and is worn alike.
+    /// The axis along which the surface of a body passes, and is worn equally.
     pub(crate) fn passes(&self, body: usize) -> Option<Axis> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
         let (along, _) = motion.grooves().filter(|(_, bodies)| bodies[body])?;
@@ -418,7 +418,7 @@ pub(super) fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
     }
 }
 
-/// What pictures have to say beside what they show: that a run is incomplete or its result doubtful or wrong.
+/// What pictures have to say besides what they show: that a run is incomplete or its result doubtful or wrong.
 pub(super) fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
     let Some(summary) = summary else { return Some("incomplete: the run has not ended".into()) };
     let verdict = &summary.get("verdict").unwrap_or(&Value::Null);

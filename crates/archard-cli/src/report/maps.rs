@@ -225,7 +225,7 @@ struct Seen {
     edges: [[f64; 2]; 2],
     /// Columns and rows.
     shape: [usize; 2],
-    /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 beside them.
+    /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 next to them.
     shown: Option<Vec<i32>>,
     /// Whether some outputs were on other elements.
     resampled: bool,

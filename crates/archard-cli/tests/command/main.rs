@@ -363,7 +363,7 @@ fn a_summary_that_is_none_is_refused() {
     archard(&dir, &["plot", "out"]).success();
 }
 
-/// Files that stand beside those for ParaView stay, those it wrote are replaced, and no name from a file leads out of
+/// Files that stand next to those for ParaView stay, those it wrote are replaced, and no name from a file leads out of
 /// its folder.
 #[test]
 fn paraview_writes_within_its_folder_and_replaces_its_own_files() {

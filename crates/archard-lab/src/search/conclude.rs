@@ -1,4 +1,4 @@
-//! What follows once the coefficients have settled: what is uncertain in all tests alike, and what is shown.
+//! What follows once the coefficients have settled: what is uncertain in all tests equally, and what is shown.
 
 use std::collections::HashMap;
 
@@ -163,7 +163,7 @@ impl Search<'_> {
         quantities.map(shown).collect()
     }
 
-    /// What is taken from the case though no reading tells it.
+    /// What is taken from the case though no reading gives it.
     pub(super) fn assumed(&self) -> impl Iterator<Item = String> {
         self.others.iter().map(|(key, value, unit)| {
             format!(

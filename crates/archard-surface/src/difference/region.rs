@@ -94,7 +94,7 @@ impl Changes<'_> {
         for width in &widths {
             let deviation = self.pixel.map(|pixel| width / pixel);
             let smooth = noise.smoothed(deviation);
-            // Hills and pits alike.
+            // Both hills and pits.
             let hills = 0.5 * FALSE_ALARM / widths.len() as f64;
             let threshold = smooth.height_of(hills, self.elements) * smooth.deviation;
             least = [threshold, (4.0 * PI).sqrt() * width];

@@ -1,4 +1,4 @@
-//! `.x3p` of ISO 25178-72: a zip archive whose `main.xml` describes the axes, and binary points beside it, those along x first.
+//! `.x3p` of ISO 25178-72: a zip archive whose `main.xml` describes the axes, and binary points next to it, those along x first.
 //!
 //! Heights are value times increment plus offset of the axis CZ, in metres. Of points that were not measured floating-point
 //! values are not a number; a file of bits, the lowest first, may mark them too. Sizes are compared before anything is
@@ -72,7 +72,7 @@ pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, R
     Ok(HeightMap::new(head.elements, scale.pixel.unwrap_or(head.pixel), heights)?)
 }
 
-/// What `main.xml` tells.
+/// What `main.xml` gives.
 struct Head<'a> {
     elements: [usize; 2],
     pixel: [f64; 2],

@@ -15,7 +15,7 @@ pub struct Invalid {
     pub message: String,
     /// What to do, where the message leaves it open.
     pub help: Option<Box<str>>,
-    /// Parameters beside it that the error is about, too: any of them may be the one to change.
+    /// Parameters besides it that the error is about, too: any of them may be the one to change.
     pub beside: Vec<&'static str>,
     /// Whether only one of them and it may be given.
     pub exclusive: bool,

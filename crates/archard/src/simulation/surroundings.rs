@@ -209,7 +209,7 @@ fn gap(problem: &ContactProblem, place: [isize; 2]) -> f64 {
 }
 
 /// The elements in which readings of measured surfaces lie, counted from the first one of the frame. Shapes given by formulas
-/// are looked at in a few places beside them.
+/// are looked at in a few places next to them.
 fn readings(problem: &ContactProblem, grows: [bool; 2]) -> impl Iterator<Item = [isize; 2]> {
     let frame = &problem.frame;
     let (rectangle, spacing) = (frame.rectangle(), frame.spacing());

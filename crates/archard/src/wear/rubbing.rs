@@ -101,7 +101,7 @@ impl Rubbing {
     }
 
     /// How much the directions of slip cross each other: the smaller eigenvalue of the [integral](Self::directions) over
-    /// its trace, from zero of slip along one line to a half of slip in all directions alike.
+    /// its trace, from zero of slip along one line to a half of slip in all directions equally.
     pub fn cross_shear(&self) -> f64 {
         let [x, y, both] = self.directions;
         let trace = x + y;

@@ -34,7 +34,7 @@ impl StickSlip {
         self.sticking[pair] = 1.0;
     }
 
-    /// Lets a pair slip whose augmented traction is beyond its limit; `diagonal` (m/Pa) is what its row has beside the
+    /// Lets a pair slip whose augmented traction is beyond its limit; `diagonal` (m/Pa) is what its row has besides the
     /// map.
     pub fn slip(&mut self, pair: usize, beyond: &Beyond, diagonal: f64) {
         self.status[pair] = PairStatus::Slip { diagonal };

@@ -4,7 +4,7 @@ use super::{FrictionSolver, Outcome, Start, Step, Tie, tied};
 use crate::compliance::{Coarser, PairStatus, SlipMap};
 use crate::numerics::vector::map;
 
-/// A pair whose friction goes by the mean of its slip and that of the pair behind.
+/// A pair whose friction depends on the mean of its slip and that of the pair behind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Turning {
     /// The pair.

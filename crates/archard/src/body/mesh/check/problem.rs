@@ -60,7 +60,7 @@ pub enum MeshProblem {
         /// Where (m).
         place: [f64; 3],
     },
-    /// Closed surfaces that are no cavities of one body: beside one another, or a core within a cavity.
+    /// Closed surfaces that are no cavities of one body: next to one another, or a core within a cavity.
     #[error(
         "the surface is that of {pieces} bodies, the second at {}: keep one (in Gmsh `BooleanUnion` makes one of parts that touch)",
         at(.place)
