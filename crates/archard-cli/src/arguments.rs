@@ -306,7 +306,7 @@ pub struct Fit {
     #[arg(long, value_name = "FILE")]
     pub data: PathBuf,
     /// The key to be fitted, e.g. body.disc.layers.0.wear.archard.coefficient, or several, which are fitted together from all
-    /// readings; if not given, the wear coefficient of each body of which there are readings
+    /// readings; if not given, the wear coefficient of each body that has readings
     #[arg(long, value_name = "KEY")]
     pub parameter: Vec<String>,
     /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps

@@ -37,11 +37,11 @@ const FITTED: [f64; 2] = [1e-7, 1e-3];
 
 /// What a fit is asked for besides case and table.
 pub struct Request<'a> {
-    /// The keys to be fitted, several from all readings together; if none, the coefficient of each body of which there are readings.
+    /// The keys to be fitted, several from all readings together; if none, the coefficient of each body that has readings.
     pub parameters: &'a [String],
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
-    /// Keys of wear that are taken from the case though no reading tells them, and those that are fitted though tests do not wear by their law.
+    /// Keys of wear that are taken from the case though no reading gives them, and those fitted though tests do not wear by their law.
     pub assumed: &'a [String],
     /// Where profiles and height maps are that the table names.
     pub files: Files<'a>,
@@ -189,7 +189,7 @@ pub(super) fn load_key(case: &Case, measured: &Measurement) -> Result<Option<Str
     }
 }
 
-/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body of which there are no readings.
+/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body without readings.
 fn all_told(
     case: &Case,
     (table, measured): (&Table, &Measurement),

@@ -5,7 +5,7 @@ use super::within::{Fitted, Test};
 
 /// A law is rejected where chance would show what was seen less often than this: where the 95 % interval of an exponent leaves it out.
 pub const REJECTED: f64 = 0.05;
-/// An exponent closer to the law than this is none to reject it by: over a decade it changes k by 12 %.
+/// An exponent closer to the law than this does not reject it: over a decade it changes k by 12 %.
 pub const NEGLIGIBLE: f64 = 0.05;
 
 /// An exponent with its interval and how probable it is if the law holds.

@@ -108,7 +108,7 @@ pub(super) fn read(
                     "its unit depends on the exponent, which has to be set first".to_owned(),
                 )
             })?;
-            // A factor of which the exponent has left no unit.
+            // A factor whose exponent has left no unit.
             let plain = if measure == Measure::NUMBER { plain(node) } else { None };
             let cell = surroundings.cell.filter(|_| quantity == Quantity::Force);
             let mean =

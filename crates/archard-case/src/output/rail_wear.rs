@@ -197,7 +197,7 @@ fn extension(format: Format) -> &'static str {
     }
 }
 
-/// The names of the files, for bodies of which some wear, sides, and the formats of their profiles.
+/// The names of the files, for bodies, which of them wear, sides, and the formats of their profiles.
 pub(super) fn rail_wear_files(
     wears: [bool; 2],
     sides: &[Side],

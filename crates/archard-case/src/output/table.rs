@@ -32,7 +32,7 @@ impl Kept {
     /// Says whether a file still has the rows that it had.
     ///
     /// # Errors
-    /// If it is none, or shorter.
+    /// If it is not there, or shorter.
     pub(super) fn find(self, path: &Path) -> Result<(), Error> {
         let found = fs::symlink_metadata(path).and_then(|known| {
             if known.is_file() && known.len() >= self.length {

@@ -280,7 +280,7 @@ fn worn_waves(random: &mut Random) -> Case {
     Case { text, truths: vec![] }
 }
 
-/// Bodies of which one yields below the pressure that elastic ones have.
+/// Bodies, the softer yielding below the pressure that elastic ones have.
 fn yielding(random: &mut Random) -> Case {
     let contact = smooth(random, 0.0, false);
     let hardness = contact.peak() * random.between(0.3, 0.95);

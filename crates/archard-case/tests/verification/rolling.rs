@@ -273,7 +273,7 @@ fn unlike_spheres_creep_less_than_rollers() {
     assert_relative_eq!(row(text).last("creepage"), expected * unit, max_relative = 0.01);
 }
 
-/// Unlike discs on elements of which one at the rim opens under one friction and closes under the next, each time: pressures and
+/// Unlike discs on elements, with one at the rim that opens under one friction and closes under the next, each time: pressures and
 /// friction agree but for it. The force is that of half as many elements.
 #[test]
 fn an_element_that_opens_and_closes_in_turn_is_no_end() {

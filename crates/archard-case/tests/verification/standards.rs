@@ -11,7 +11,7 @@ use archard_case::output::Standard;
 
 use crate::common::{Rows, case};
 
-/// A ball of 3 mm on a flat, one of which wears, 10 N.
+/// A ball of 3 mm on a flat, one of them worn, 10 N.
 fn ball(wears: &str, coefficient: &str, motion: &str, options: &[&str]) -> Simulation {
     let text = r#"
         [body.ball]

@@ -161,12 +161,12 @@ impl Results {
         Unit::of_column(column, largest(values))
     }
 
-    /// Whether there is one element along an axis only, of which a section shows nothing.
+    /// Whether there is one element along an axis only, so that a section shows nothing.
     pub(crate) fn is_one_element(&self, axis: Axis) -> bool {
         self.image.as_ref().is_some_and(|image| image.elements[axis.index()] == 1)
     }
 
-    /// The axes of which sections show something: all of them, or that across a line of contact.
+    /// The axes whose sections show something: all of them, or that across a line of contact.
     pub(crate) fn shown_axes(&self) -> Vec<Axis> {
         [Axis::X, Axis::Y].into_iter().filter(|axis| !self.is_one_element(*axis)).collect()
     }

@@ -297,7 +297,7 @@ impl Seen {
 }
 
 impl Packed {
-    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit; the least of them is none.
+    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit; the least of them stands for a hole.
     fn packed(&self) -> Value {
         let most = self.outputs.iter().map(|values| size(values)).fold(0.0, f64::max);
         let step = if most > 0.0 { most / WHOLE } else { 1.0 };

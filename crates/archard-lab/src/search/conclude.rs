@@ -15,7 +15,7 @@ const COUPLED: f64 = 0.1;
 /// A coefficient so many times that of the case is remarked upon.
 const FAR: f64 = 100.0;
 
-/// A standard uncertainty that is not smaller, relative, is none to change a value by.
+/// A standard uncertainty that is not smaller, relative, does not change a value.
 const MOST: f64 = 0.5;
 
 /// Standard uncertainty of a median, relative.

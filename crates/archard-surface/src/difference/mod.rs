@@ -122,7 +122,7 @@ impl Difference {
     /// What changed from an earlier map to a later one.
     ///
     /// # Errors
-    /// If the maps do not overlap, the one is not found in the other, nothing or too much is worn, or the part that is given is none.
+    /// If the maps do not overlap, the one is not found in the other, nothing or too much is worn, or the part that is given does not exist.
     pub fn between(
         before: &HeightMap,
         after: &HeightMap,

@@ -128,7 +128,7 @@ impl Changes<'_> {
         })
     }
 
-    /// Connected points of one sign of which enough stand out, with what they enclose that has no other sign and no region.
+    /// Connected points of one sign, enough of them standing out, with what they enclose that has no other sign and no region.
     fn components(&self, signs: &[i8], values: &[f64]) -> Vec<(bool, Vec<usize>)> {
         let mut seen = vec![false; signs.len()];
         let mut found = vec![];

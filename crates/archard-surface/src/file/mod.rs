@@ -125,7 +125,7 @@ pub enum ReadError {
     /// A unit that is not known.
     #[error("`{0}` is no unit of length")]
     Unit(String),
-    /// A number that is none.
+    /// A number that cannot be read.
     #[error("line {line}: `{word}` is no number")]
     Number {
         /// The line, from 1.
@@ -199,7 +199,7 @@ fn matrix(elements: [usize; 2], values: Vec<f64>, scale: Scale) -> Result<Height
 /// A unit of length (m) as instruments write it.
 ///
 /// # Errors
-/// If it is none.
+/// If it cannot be one.
 pub fn unit(text: &str) -> Result<f64, ReadError> {
     let word = text.trim_matches(|letter: char| letter.is_whitespace() || letter == '\0');
     Ok(match word {

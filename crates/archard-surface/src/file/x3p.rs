@@ -19,7 +19,7 @@ const HEAD: &str = "main.xml";
 const SUM_OF_HEAD: &str = "md5checksum.hex";
 /// Most bytes of the head and of its checksum: heads have a few kilobytes, and a comment.
 const MOST_OF_HEAD: usize = 1 << 20;
-/// Most attributes of the head, of which it needs the namespace alone. The parser compares each with those before it, and
+/// Most attributes of the head; only the namespace is needed. The parser compares each with those before it, and
 /// namespaces with all around them: the time grows with the third power, and is .2 s for so many.
 const MOST_ATTRIBUTES: usize = 1000;
 

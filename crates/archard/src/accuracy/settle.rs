@@ -55,7 +55,7 @@ pub enum Event<'a> {
     FallsShort(&'a Unsettled),
 }
 
-/// What who watches answers to a state of a run of which the rest is not needed: that run ends there, and errors are foreseen as far as
+/// What who watches answers to a state of a run whose rest is not needed: that run ends there, and errors are foreseen as far as
 /// all runs go.
 #[derive(Debug, Clone, Copy, thiserror::Error)]
 #[error("the rest of the run is not needed")]

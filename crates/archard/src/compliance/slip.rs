@@ -38,7 +38,7 @@ pub trait SlipMap: Debug + Send + Sync {
         None
     }
 
-    /// The same map on elements of twice the size, the first of which begins where these do; `None` where
+    /// The same map on elements of twice the size that begin where these do; `None` where
     /// that is not possible.
     fn coarser(&self) -> Option<Coarser<'_>> {
         None

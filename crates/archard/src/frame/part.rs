@@ -74,7 +74,7 @@ impl Part {
         }
     }
 
-    /// What the whole grid covers, of which it covers a rectangle.
+    /// The whole grid: it covers a rectangle of this.
     pub fn whole(&self, own: Rectangle) -> Rectangle {
         let spacing = [0, 1].map(|axis| own.size[axis] / self.size[axis] as f64);
         let middle = |axis: usize| {

@@ -53,7 +53,7 @@ impl Invalid {
         self
     }
 
-    /// Two parameters, of which only one may be given, and what to do about it.
+    /// Two parameters, only one of them to be given, and what to do about it.
     pub fn exclusive(parameter: &'static str, other: &'static str, advice: &str) -> Self {
         let message = format!("`{other}` and `{parameter}` exclude each other: {advice}");
         Self { exclusive: true, ..Self::new(parameter, message).beside(other) }

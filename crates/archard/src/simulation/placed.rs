@@ -188,13 +188,13 @@ impl Simulation {
         Some(Self { beside: beside.fold(self.surroundings().least(), f64::min), ..within })
     }
 
-    /// The same in a larger frame, of which its own is a part.
+    /// The same in a larger frame that its own is a part of.
     fn around(&self, part: &Part) -> Option<Self> {
         let profiles = self.problem.bodies.each_ref().map(|body| &*body.profile);
         self.on(self.problem.frame.around(part, profiles)?)
     }
 
-    /// The same on another part of its endless grid; `None` where the compliance is none there.
+    /// The same on another part of its endless grid; `None` where there is no compliance.
     fn on(&self, frame: ContactFrame) -> Option<Self> {
         let Self { problem, solver, friction_solver, schedule, .. } = self;
         Some(Self {

@@ -106,7 +106,7 @@ impl Rubbing {
         let [x, y, both] = self.directions;
         let trace = x + y;
         let smaller = 0.5 * (trace - (x - y).hypot(2.0 * both));
-        // What rounding leaves of slip along a line is none.
+        // What rounding leaves of slip along a line does not count.
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 

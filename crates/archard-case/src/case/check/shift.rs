@@ -145,7 +145,7 @@ fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Pr
     })
 }
 
-/// Angles between oscillations of which there is only one.
+/// Angles between oscillations where there is only one.
 fn useless_phases(parts: &Parts<'_>) -> Vec<Problem> {
     let values = &parts.case.motion.values;
     let amplitudes = values.pair("amplitude").or(values.pair("force_amplitude"));

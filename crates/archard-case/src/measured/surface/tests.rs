@@ -171,7 +171,7 @@ fn readings_that_failed_are_left_out() {
     }
 }
 
-/// A number that stands for lost readings is none, however many of them lie side by side.
+/// A number that stands for lost readings is not a height, however many of them lie side by side.
 #[test]
 fn marks_of_lost_readings_are_no_heights() {
     let mut random = Normal(fastrand::Rng::with_seed(24));

@@ -105,7 +105,7 @@ pub(super) fn write(place: &Place, kept: &Kept, run: &[u8]) -> Result<(), Error>
     place.write(&[FORMAT.as_bytes(), &content].concat())
 }
 
-/// What was kept in a folder of a simulation: the results so far, and the run, all of which belong together.
+/// What was kept in a folder of a simulation: the results so far, and the run, which belong together.
 ///
 /// # Errors
 /// If there is nothing, it is of another simulation, or the files are not those of these results.

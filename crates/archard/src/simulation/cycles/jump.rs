@@ -122,7 +122,7 @@ impl Wear {
 }
 
 impl Rate {
-    /// Of the cycle that shifted bodies have gone through, the most pressed instant of which is kept next to it.
+    /// Of the cycle that shifted bodies have gone through, with its most pressed instant.
     ///
     /// `cycle` is its number, the first being 1. `begun` holds the pressures (Pa) at its beginning where that is the same
     /// instant, one cycle earlier: a pair that has joined since was rubbed for a part of the cycle only, and is given what

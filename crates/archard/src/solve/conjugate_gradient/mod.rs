@@ -107,7 +107,7 @@ struct Iteration<'a> {
     /// Gap (m) at the present pressure and approach, and the same on the contact, zero elsewhere.
     gap: Vec<f64>,
     overlap: Vec<f64>,
-    /// The set: one where the pressure may change, zero elsewhere, where it is none or the hardness.
+    /// The set: one where the pressure may change, zero elsewhere, where it is nothing or the hardness.
     contact: Vec<f64>,
     /// What the preconditioner makes of the gap that an approach of one closes, on the contact, and the load of it.
     uniform: Vec<f64>,

@@ -17,7 +17,7 @@ pub(in crate::solve) struct StickSlip {
 }
 
 impl StickSlip {
-    /// Pairs all of which are open.
+    /// Pairs that are all open.
     pub fn open(pairs: usize) -> Self {
         let zeros = || vec![0.0; pairs];
         let status = vec![PairStatus::Open; pairs];

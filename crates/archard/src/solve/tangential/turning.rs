@@ -46,7 +46,7 @@ fn average(turning: &[Turning], slip: &mut [f64]) {
     turning.iter().zip(means).for_each(|(one, mean)| slip[one.pair] = mean);
 }
 
-/// A map to slips some of which are means.
+/// A map to slips, some of them means.
 #[derive(Debug)]
 struct Means<'a> {
     inner: &'a dyn SlipMap,
