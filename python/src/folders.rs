@@ -26,7 +26,7 @@ fn comparing((columns, body, levelled, place): Options) -> Comparing {
     Comparing { columns, body, levelled, place: Some(place) }
 }
 
-/// Writes the page of a folder, beside measured tables and other runs; returns its file.
+/// Writes the page of a folder, next to measured tables and other runs; returns its file.
 #[pyfunction]
 pub fn page(
     py: Python<'_>,
@@ -38,7 +38,7 @@ pub fn page(
     done(py, move || library::page(&dir, &others, Some(output), comparing(options)))
 }
 
-/// What comes of a run beside measured tables and other runs: lines of words, and the picture as JSON.
+/// What comes of a run next to measured tables and other runs: lines of words, and the picture as JSON.
 #[pyfunction]
 pub fn comparison(
     py: Python<'_>,

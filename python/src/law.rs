@@ -104,7 +104,7 @@ impl Law {
         }
     }
 
-    /// What the function makes of columns: depths, and slopes if it tells them.
+    /// What the function makes of columns: depths, and slopes if it gives them.
     fn call(&self, py: Python<'_>, points: &Columns) -> PyResult<Returned> {
         let array = |values: &[f64]| PyArray1::from_slice(py, values);
         let columns = PyDict::new(py);
@@ -216,7 +216,7 @@ impl Law {
     }
 
     /// Slopes by a central difference, as of any law that does not tell its own: over the cube root of the rounding, where the
-    /// errors by rounding and by the length are alike.
+    /// errors by rounding and by the length are equal.
     fn difference(&self, py: Python<'_>, points: &Columns) -> PyResult<Vec<f64>> {
         let change = |point: usize| f64::EPSILON.cbrt() * points.pressure[point].max(1.0);
         let moved = |sign: f64| {
@@ -259,7 +259,7 @@ impl Law {
     }
 }
 
-/// Coefficients of friction: the work over pressure and slip, the slope of the limit where there is none.
+/// Coefficients of friction: the work over pressure and slip, the slope of the limit where none exists.
 fn coefficients(points: &Columns) -> Vec<f64> {
     let coefficient = |point: usize| {
         let point = points.at(point);

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 /// Names and what they are set to.
 type Pairs = Vec<(String, String)>;
 
-/// What a log tells, as JSON in SI; `columns` by role, `values` by name.
+/// What a log gives, as JSON in SI; `columns` by role, `values` by name.
 #[pyfunction]
 pub fn read_log(py: Python<'_>, file: PathBuf, columns: Pairs, values: Pairs) -> PyResult<String> {
     let read = py.detach(|| {

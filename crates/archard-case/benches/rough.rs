@@ -63,7 +63,7 @@ fn row(n: usize, pressure: f64, surroundings: &str) {
     );
 }
 
-/// CPU time (s) of this process in its own code, in hundredths, where Linux tells it.
+/// CPU time (s) of this process in its own code, in hundredths, where Linux gives it.
 fn cpu_seconds() -> f64 {
     let stat = read_to_string("/proc/self/stat").unwrap_or_default();
     let after_name = stat.rsplit(") ").next();
@@ -71,7 +71,7 @@ fn cpu_seconds() -> f64 {
     ticks.unwrap_or(f64::NAN) / 100.0
 }
 
-/// The most memory (MB) this process took so far, where Linux tells it.
+/// The most memory (MB) this process took so far, where Linux gives it.
 fn peak_memory() -> f64 {
     let status = read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -1,6 +1,6 @@
 //! The published cases: each gives what its folder says it has to.
 //!
-//! `expected.toml` beside a `case.toml`:
+//! `expected.toml` next to a `case.toml`:
 //!
 //! ```toml
 //! coarse = ["frame.elements=[30, 30]"]   # options of every run of the test
@@ -76,7 +76,7 @@ fn float(table: &DeTable<'_>, key: &str) -> Option<f64> {
     }
 }
 
-/// The list of texts at a key; empty where there is none.
+/// The list of texts at a key; empty where none exists.
 fn texts(table: &DeTable<'_>, key: &str) -> Vec<String> {
     let list = table.get(key).map(|value| value.get_ref().as_array().expect("a list"));
     let texts = list.into_iter().flat_map(|list| list.iter());

@@ -14,7 +14,7 @@ const STEEL: &str = "material = { young = \"210 GPa\", poisson = 0.3 }";
 const RUBBER: &str = "material = { young = \"10 MPa\", poisson = 0.45 }";
 const THERMAL: &str = "thermal = { conductivity = \"50 W/(m K)\", diffusivity = \"13 mm^2/s\", temperature = \"20 degC\" }";
 
-/// Bodies and a frame: what the upper and the lower body have beside what is laid on them, and the frame.
+/// Bodies and a frame: what the upper and the lower body have besides what is laid on them, and the frame.
 struct Elasticity {
     name: &'static str,
     upper: &'static str,

@@ -46,7 +46,7 @@ const PROFILE_EXAMPLES: Examples = &[
     ("axisymmetric_power", &[("coefficient", 0.02), ("exponent", 1.0)]),
     ("wave", &[("amplitude", 1e-6), ("length_x", 1e-3), ("length_y", 2e-3)]),
 ];
-/// Profiles that need more than numbers or touch elsewhere, tested beside their code.
+/// Profiles that need more than numbers or touch elsewhere, tested next to their code.
 const OTHER_PROFILES: &[&str] = &["table", "self_affine"];
 
 const WEAR_EXAMPLES: Examples = &[

@@ -14,7 +14,7 @@ const RADIUS: f64 = 50e-3;
 const POINTS: usize = 61;
 const PIXEL: f64 = 20.0;
 
-/// A ball as a matrix of heights (um) in a text, tilted and with holes beside the contact if asked for.
+/// A ball as a matrix of heights (um) in a text, tilted and with holes next to the contact if asked for.
 fn ball(tilt: f64, holes: bool) -> String {
     let place = |at: usize| (at as f64 - 0.5 * (POINTS - 1) as f64) * PIXEL;
     let height = |x: usize, y: usize| {
@@ -149,7 +149,7 @@ fn wrong_files_are_refused_in_words() {
     write("wrong.txt", "1 2\n3 x\n");
     write("scan.sur", "no surface at all");
     write("scan.xyz", "1 2\n3 4\n");
-    // A surface of 5 x 4 points in pixels of 2 x 3 um, of which one was not measured.
+    // A surface of 5 x 4 points in pixels of 2 x 3 um, one of them not measured.
     let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../archard-surface/tests/files");
     for (from, to) in
         [("x3pio.x3p", "scan.x3p"), ("gwyfile.gwy", "scan.gwy"), ("gwyfile.gwy", "scan.sdf")]

@@ -183,7 +183,7 @@ fn unlike_materials_meet_hertz() {
     assert_relative_eq!(rows.last("approach_m"), hertz.approach, max_relative = 1e-3);
 }
 
-/// Elements that never touch change nothing, and x and y are alike.
+/// Elements that never touch change nothing, and x and y are equal.
 #[test]
 fn a_wider_frame_changes_nothing() {
     let steps = "motion.sliding.step=20 mm";
@@ -206,7 +206,7 @@ fn assert_carried(rows: &Rows, expected: impl Fn(usize) -> f64) {
     assert!(rows.column("approach_m").iter().all(|approach| approach.is_finite()));
 }
 
-/// A contact that begins on one pair, or on a few that leave at once, finds the pairs beside them.
+/// A contact that begins on one pair, or on a few that leave at once, finds the pairs next to them.
 #[test]
 fn the_load_is_carried_on_the_coarsest_frames() {
     let steps = ["frame.elements=[3,3]", "motion.sliding.step=50 mm"];

@@ -110,7 +110,7 @@ fn ends(text: &str, folder: &Path) -> Result<String, String> {
     }
 }
 
-/// A message with every word that has a digit left out, to count alike ones together.
+/// A message with every word that has a digit left out, to count equal ones together.
 fn without_numbers(message: &str) -> String {
     let numeric = |word: &&str| !word.contains(|letter: char| letter.is_ascii_digit());
     message.split_whitespace().filter(numeric).collect::<Vec<_>>().join(" ")

@@ -274,7 +274,7 @@ pub struct Report {
     /// The page; report.html in the first folder if not given
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Measured tables (CSV) to show beside the run, as `archard compare` reads them
+    /// Measured tables (CSV) to show next to the run, as `archard compare` reads them
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
     #[command(flatten)]
@@ -306,7 +306,7 @@ pub struct Fit {
     #[arg(long, value_name = "FILE")]
     pub data: PathBuf,
     /// The key to be fitted, e.g. body.disc.layers.0.wear.archard.coefficient, or several, which are fitted together from all
-    /// readings; if not given, the wear coefficient of each body of which there are readings
+    /// readings; if not given, the wear coefficient of each body that has readings
     #[arg(long, value_name = "KEY")]
     pub parameter: Vec<String>,
     /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps

@@ -140,7 +140,7 @@ impl Builtin {
         title.unwrap_or_default().trim_matches('"')
     }
 
-    /// The folder that its files are in: nowhere if it has none, otherwise beside the kept compliances.
+    /// The folder that its files are in: nowhere if it has none, otherwise next to the kept compliances.
     pub fn folder(&self) -> Result<PathBuf, Failure> {
         if self.files.is_empty() {
             return Ok(PathBuf::new());

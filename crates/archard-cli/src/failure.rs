@@ -92,7 +92,7 @@ mod tests {
 
     use super::Failure;
 
-    /// An error that tells its cause.
+    /// An error that gives its cause.
     #[derive(Debug, thiserror::Error)]
     #[error("cannot read `file`: {0}")]
     struct Told(#[source] io::Error);

@@ -38,7 +38,7 @@ pub struct FitFile {
 /// Reads a `fit.json`.
 ///
 /// # Errors
-/// If it is none, is damaged, or gives no coefficient to predict with.
+/// If it is not one, is damaged, or gives no coefficient to predict with.
 pub fn read(path: &Path) -> Result<FitFile, String> {
     let wrong = |why: &str| format!("`{}`: {why}", path.display());
     let text = files::read(path, Contents::Text).map_err(|error| wrong(&error.to_string()))?;

@@ -12,7 +12,7 @@ use crate::{compare, plot, report};
 
 pub use crate::compare::Options as Comparing;
 
-/// Writes the page of a folder, beside measured tables and other runs, as `archard report` does; returns its file.
+/// Writes the page of a folder, next to measured tables and other runs, as `archard report` does; returns its file.
 ///
 /// # Errors
 /// Why there is no page, in words.
@@ -27,7 +27,7 @@ pub fn page(
     report::run(&arguments).map_err(why)
 }
 
-/// What comes of a run beside measured tables and other runs, as `archard compare` prints it, and the picture of it.
+/// What comes of a run next to measured tables and other runs, as `archard compare` prints it, and the picture of it.
 ///
 /// # Errors
 /// Why they cannot be compared, in words.

@@ -1,7 +1,7 @@
 //! How lives scatter from part to part: about the life of a run, as the coefficient of a fit does from test to test.
 //!
 //! Where a life falls with the coefficient, the life which a share of parts does not reach is that of the coefficient which the same share
-//! has above it. Where k s alone counts, one run tells all of them; else each takes a run.
+//! has above it. Where k s alone counts, one run gives all of them; else each takes a run.
 
 use std::path::PathBuf;
 
@@ -98,7 +98,7 @@ impl Told {
     }
 }
 
-/// What tells the lives of other coefficients.
+/// What gives the lives of other coefficients.
 #[derive(Debug)]
 enum By {
     /// The life at the median, times the median over k.

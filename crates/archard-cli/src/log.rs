@@ -1,4 +1,4 @@
-//! `archard log`: what tribometers wrote, and what it tells of wear and friction.
+//! `archard log`: what tribometers wrote, and what it gives of wear and friction.
 
 use std::path::{Path, PathBuf};
 

@@ -39,7 +39,7 @@ pub fn of_a_line(extent: f64) -> String {
     format!("forces, areas and volumes are those of {extent} of it")
 }
 
-/// A number of things, of which parts may be done: whole if it is, with four significant digits otherwise.
+/// A number of things that may be done in part: whole if it is, with four significant digits otherwise.
 pub fn count(value: f64) -> String {
     let whole = value.round();
     if (value - whole).abs() < 1e-9 * whole.abs().max(1.0) {

@@ -130,7 +130,7 @@ impl Outcome<'_> {
         scatter(lines);
     }
 
-    /// A number at the end; zero where there is none.
+    /// A number at the end; zero where none exists.
     fn last(&self, column: &str) -> f64 {
         self.follower.number(column).unwrap_or(0.0)
     }
@@ -290,7 +290,7 @@ impl Outcome<'_> {
     }
 }
 
-/// Two components by the direction of rolling; one that is nothing but rounding beside the other is
+/// Two components by the direction of rolling; one that is nothing but rounding next to the other is
 /// left out.
 fn along_and_across([along, across]: [f64; 2], unit: &str) -> String {
     if across.abs() <= WRITTEN * along.abs() {

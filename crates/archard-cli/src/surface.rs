@@ -13,7 +13,7 @@ use crate::plot;
 use crate::say::say;
 use crate::verdict;
 
-/// Distances of points, in pixels, of which is told what they do not resolve.
+/// Distances of points, in pixels, for which the report says what they do not resolve.
 const COARSER: [f64; 3] = [2.0, 4.0, 8.0];
 
 /// Reads a file, with keys of `profile.surface`, says what is in it, and draws it if a picture is named.

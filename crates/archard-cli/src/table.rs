@@ -8,7 +8,7 @@ use archard_case::measured::Table;
 /// Names and titles, of options like `depth="Tiefe [um]"`.
 ///
 /// # Errors
-/// If an option is none of these.
+/// If an option is not one of these.
 pub fn names(options: &[String]) -> Result<Vec<(&str, &str)>, String> {
     let like = |option: &str| {
         format!("--column {option}: write a name and a title, like depth=\"Tiefe [um]\"")

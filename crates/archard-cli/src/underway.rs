@@ -34,7 +34,7 @@ pub fn command() -> String {
     std::iter::once("archard".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
-/// The commands of the run in a folder as far as its summary tells them, and the one that goes on with it.
+/// The commands of the run in a folder as far as its summary gives them, and the one that goes on with it.
 pub fn commands(dir: &Path) -> String {
     let summary = files::read(&dir.join("summary.json"), Contents::Text).ok();
     let summary: Option<Value> = summary.and_then(|text| serde_json::from_slice(&text).ok());

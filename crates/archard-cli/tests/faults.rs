@@ -1,5 +1,5 @@
 //! What a run leaves behind when something goes wrong: killed, interrupted, out of room, without its folder, without a
-//! reader, or beside another run. Whatever happens, files are whole or not there, and the program says what was lost.
+//! reader, or next to another run. Whatever happens, files are whole or not there, and the program says what was lost.
 #![cfg(unix)]
 
 #[path = "faults/folder.rs"]

@@ -37,7 +37,7 @@ impl From<Invalid> for GearError {
     }
 }
 
-/// Friction, and how the flanks of both gears wear; `None` where there is none.
+/// Friction, and how the flanks of both gears wear; `None` where none exists.
 pub type Laws = (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]);
 
 /// Two gears under load.

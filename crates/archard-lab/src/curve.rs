@@ -16,7 +16,7 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// Through points of progress and value, those of which either is not positive left out; `None` of fewer than two.
+    /// Through points of progress and value, without those that have one not positive; `None` of fewer than two.
     /// `stepped` curves grow element by element and are smoothed.
     pub fn through(points: impl Iterator<Item = [f64; 2]>, stepped: bool) -> Option<Self> {
         let mut points: Vec<[f64; 2]> = points

@@ -56,7 +56,7 @@ impl Effects {
 
 /// Mean and sum of weights at a variance between tests, and the weighted sum of squares about the mean.
 fn scatter(values: &[f64], variances: &[f64], tau2: f64) -> ([f64; 2], f64) {
-    // Tests that agree exactly, read without error, weigh alike.
+    // Tests that agree exactly, read without error, weigh equally.
     let weights: Vec<f64> =
         variances.iter().map(|v| 1.0 / (tau2 + v).max(f64::MIN_POSITIVE.sqrt())).collect();
     let weight: f64 = weights.iter().sum();

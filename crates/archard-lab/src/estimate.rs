@@ -21,7 +21,7 @@ pub type Common = (String, f64);
 pub struct Estimate {
     /// Median of the coefficients of tests.
     pub median: f64,
-    /// Its 95 % interval; `None` where nothing tells the errors.
+    /// Its 95 % interval; `None` where nothing gives the errors.
     pub interval: Option<[f64; 2]>,
     /// The 95 % interval of the coefficient that another test will show, read as these; `None` of one test.
     pub next: Option<[f64; 2]>,
@@ -39,7 +39,7 @@ pub struct Estimate {
     pub correlation: f64,
     /// The exponent of the distance, 1 by the law.
     pub distance: Option<Exponent>,
-    /// The exponent of the load that k goes by, 0 where it is constant.
+    /// The exponent of the load that k depends on, 0 where it is constant.
     pub loads: Option<Exponent>,
     /// Each load (N), its number of tests, its median and the 95 % interval.
     pub by_load: Vec<(f64, usize, f64, Option<[f64; 2]>)>,
@@ -73,7 +73,7 @@ pub struct NoEstimate<E: std::error::Error + 'static> {
 
 impl Study {
     /// The coefficient of these tests by a model, from a guess on and settled to a relative change; `common` is what is
-    /// uncertain in all tests alike.
+    /// uncertain in all tests equally.
     ///
     /// # Errors
     /// If the model fails, or a test cannot tell k.

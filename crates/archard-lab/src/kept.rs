@@ -50,7 +50,7 @@ pub(super) fn file(
 }
 
 impl Kept {
-    /// What a file holds; `None` where there is none, or it is damaged.
+    /// What a file holds; `None` where none exists, or it is damaged.
     pub fn read(path: &Path) -> Option<Self> {
         let bytes = files::read(path, Contents::Numbers).ok()?;
         postcard::from_bytes(unseal(&bytes)?).ok()

@@ -142,7 +142,7 @@ fn columns(
             found.push(Column { quantity, values, uncertainties });
         }
     }
-    // Columns that are empty ask for nothing beside others.
+    // Columns that are empty ask for nothing besides others.
     let read = |column: &Column| column.values.iter().any(Option::is_some);
     if found.iter().any(read) {
         found.retain(read);

@@ -21,7 +21,7 @@ pub struct Coefficient {
     pub curves: Vec<Shown>,
 }
 
-/// A curve to be drawn beside readings.
+/// A curve to be drawn next to readings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
     /// The load (N), where tests have loads of their own.

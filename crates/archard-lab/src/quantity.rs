@@ -32,7 +32,7 @@ pub(super) const KINDS: [(&str, Kind); 7] = [
     ("diameter", Kind::Diameter),
 ];
 
-/// What was measured of which body.
+/// What was measured, and the body it belongs to.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Quantity {
     /// The name of its column.

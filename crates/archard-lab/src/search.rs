@@ -1,6 +1,6 @@
 //! The coefficients of a case from measured tests: rounds of runs until model and readings agree.
 //!
-//! Where the worn state follows from k s alone, one run tells all k: a reading at s of a test with k is what the run shows at
+//! Where the worn state follows from k s alone, one run gives all k: a reading at s of a test with k is what the run shows at
 //! s k / k_run, and the last round's steps end there. Where the other body wears as the case has it, runs at a series of k tell
 //! those between them. Other laws are run anew at each k that is tried. Where both coefficients are sought, tests are held
 //! against runs in which their ratio is that of their medians.
@@ -35,13 +35,13 @@ pub(super) const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
 const FITTED: [f64; 2] = [1e-7, 1e-3];
 
-/// What a fit is asked for beside case and table.
+/// What a fit is asked for besides case and table.
 pub struct Request<'a> {
-    /// The keys to be fitted, several from all readings together; if none, the coefficient of each body of which there are readings.
+    /// The keys to be fitted, several from all readings together; if none, the coefficient of each body that has readings.
     pub parameters: &'a [String],
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
-    /// Keys of wear that are taken from the case though no reading tells them, and those that are fitted though tests do not wear by their law.
+    /// Keys of wear that are taken from the case though no reading gives them, and those fitted though tests do not wear by their law.
     pub assumed: &'a [String],
     /// Where profiles and height maps are that the table names.
     pub files: Files<'a>,
@@ -189,7 +189,7 @@ pub(super) fn load_key(case: &Case, measured: &Measurement) -> Result<Option<Str
     }
 }
 
-/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body of which there are no readings.
+/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body without readings.
 fn all_told(
     case: &Case,
     (table, measured): (&Table, &Measurement),
@@ -259,7 +259,7 @@ struct Search<'a> {
     variant: Variant,
     /// Runs by what they were run with.
     known: HashMap<String, Run>,
-    /// By load: the scale of the run that tells all k, and the places its steps end at.
+    /// By load: the scale of the run that gives all k, and the places its steps end at.
     scale: HashMap<u64, f64>,
     shares: HashMap<u64, Vec<f64>>,
     name: &'static str,

@@ -5,7 +5,7 @@ use super::within::{Fitted, Test};
 
 /// A law is rejected where chance would show what was seen less often than this: where the 95 % interval of an exponent leaves it out.
 pub const REJECTED: f64 = 0.05;
-/// An exponent closer to the law than this is none to reject it by: over a decade it changes k by 12 %.
+/// An exponent closer to the law than this does not reject it: over a decade it changes k by 12 %.
 pub const NEGLIGIBLE: f64 = 0.05;
 
 /// An exponent with its interval and how probable it is if the law holds.
@@ -126,7 +126,7 @@ struct Slope {
 }
 
 impl Slope {
-    /// Least squares for the exponent beside k.
+    /// Least squares for the exponent besides k.
     fn of(test: &Test, fitted: &Fitted, weights: &[f64]) -> Option<Self> {
         let size = weights.len();
         let sum =
@@ -146,7 +146,7 @@ impl Slope {
     }
 }
 
-/// The exponent of the load that k goes by, where a constant k says 0; `None` without three tests at two loads.
+/// The exponent of the load that k depends on, where a constant k says 0; `None` without three tests at two loads.
 pub fn over_loads(tests: &[Test], fitted: &[Fitted]) -> Option<Exponent> {
     let point = |(test, fitted): (&Test, &Fitted)| Some([test.load?.ln(), fitted.log_k]);
     let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect::<Option<_>>()?;

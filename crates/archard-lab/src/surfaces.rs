@@ -40,7 +40,7 @@ pub struct Measured {
     pub file: String,
     /// What was taken from it: the name of the quantity, a factor from SI to the unit shown, and that unit.
     pub quantity: (String, f64, &'static str),
-    /// What the file tells, a volume or a section, and of which body.
+    /// What the file gives, a volume or a section, and its body.
     kind: Kind,
     body: (usize, String),
     /// The scar.
@@ -176,7 +176,7 @@ impl<'a> Shape<'a> {
         Ok(Self { body: &own.name, profile, passes: along.map(|(along, _)| along.axis) })
     }
 
-    /// What a surface tells: a profile (its axis) or a map.
+    /// What a surface gives: a profile (its axis) or a map.
     fn kind(&self, axis: Option<usize>) -> Result<Kind, String> {
         match (axis, self.passes) {
             (Some(axis), Some(passes)) if axis == passes => Err(format!(
@@ -227,7 +227,7 @@ impl<'a> Shape<'a> {
         )))
     }
 
-    /// `file_disc` tells `profile_y_disc`, `track_section_disc` or `map_volume_disc`.
+    /// `file_disc` gives `profile_y_disc`, `track_section_disc` or `map_volume_disc`.
     fn name(&self, kind: Kind, column: &str) -> String {
         let of = match kind {
             Kind::Middle(axis) => ["profile_x", "profile_y"][axis],

@@ -213,7 +213,7 @@ fn what_is_common_adds_up() {
     assert_eq!(estimate.budget[2..], common);
 }
 
-/// A width that hardly grows beyond that of the unworn contact tells no k.
+/// A width that hardly grows beyond that of the unworn contact gives no k.
 #[test]
 fn a_flat_likelihood_is_said() {
     let made = Made { exponent: 1e-3, ..SERIES };
@@ -229,7 +229,7 @@ fn a_flat_likelihood_is_said() {
 /// The 96 widths of Meeker and Escobar (`tests/measured/README.md`): w^4 = w0^4 + A N, as a scar on a point contact grows from
 /// the width w0 of the load. The shape is accepted load by load; a constant k is not: A would have to be proportional to the
 /// load. By straight lines through w^4 of each specimen k has to grow 27-fold from 10 g to 100 g; the logarithms used here
-/// weigh all widths alike, and their interval holds that.
+/// weigh all widths equally, and their interval holds that.
 #[test]
 fn measured_widths_follow_the_shape_and_no_constant_k() {
     let text = include_str!("../tests/measured/metalwear.csv");

@@ -1,8 +1,8 @@
-//! Wear of which no test tells anything.
+//! Wear that no test says anything of.
 
 use archard_case::Case;
 
-/// A wear law that nothing tells.
+/// A wear law that nothing gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Untold {
     /// Its key.
@@ -12,7 +12,7 @@ pub struct Untold {
 }
 
 impl Untold {
-    /// The laws of a case, but those that wear by nothing, of which none of these keys tells anything: keys in their table, or
+    /// The laws of a case, but those that wear by nothing, that none of these keys says anything of: keys in their table, or
     /// tables around it.
     pub fn of(case: &Case, told: &[impl AsRef<str>]) -> Vec<Self> {
         let told: Vec<String> = told.iter().map(|key| dotted(key.as_ref())).collect();

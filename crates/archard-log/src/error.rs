@@ -180,7 +180,7 @@ pub enum Error {
         /// The factor.
         ratio: String,
     },
-    /// An option is none.
+    /// An option cannot be one.
     #[error("{option}: {help}")]
     Option {
         /// As it was given.

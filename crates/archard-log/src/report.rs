@@ -89,7 +89,7 @@ impl Log {
         lines
     }
 
-    /// One line of the main step: load, distance, and the coefficient or why there is none.
+    /// One line of the main step: load, distance, and the coefficient or why none exists.
     pub fn line(&self) -> String {
         let name = self.name();
         let Some(step) = self.main_step() else { return format!("{name}: no readings") };

@@ -36,7 +36,7 @@ pub fn rows<'a>(logs: impl IntoIterator<Item = &'a Log>) -> Vec<String> {
     .collect()
 }
 
-/// Why a profile cannot stand beside a log.
+/// Why a profile cannot stand next to a log.
 #[derive(Debug, Error, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Unmatched {
@@ -70,7 +70,7 @@ pub enum Unmatched {
 /// [`ROWS_OF_PROFILES`].
 ///
 /// # Errors
-/// If the log tells no load, no distance, or several loads.
+/// If the log gives no load, no distance, or several loads.
 pub fn with_profile(log: &Log, file: &str) -> Result<String, Unmatched> {
     let source = || log.source.clone();
     let slid: Vec<&Step> = log.steps.iter().filter(|step| step.distance > 0.0).collect();

@@ -7,7 +7,7 @@ use crate::number::{DAY, clock, decimal, number};
 use crate::rate::FEWEST;
 use crate::{text, unit};
 
-/// A column: title, name without unit, unit, and a value a row (NaN where there is none).
+/// A column: title, name without unit, unit, and a value a row (NaN where none exists).
 #[derive(Debug, Clone)]
 pub struct Column {
     /// As it stands in the log, with its unit.

@@ -319,7 +319,7 @@ fn a_time_that_is_passed_twice_counts_once() {
     has_rate(&told(&text).steps[0], 0.5);
 }
 
-/// Of stairs and ramps of the load no coefficient is told, for no load is that of the rate; noise of a load is none of both.
+/// Of stairs and ramps of the load no coefficient is told, for no load is that of the rate; noise of a load is neither.
 #[test]
 fn a_load_that_changes_is_refused() {
     let log = |load: &dyn Fn(u32) -> f64| {

@@ -39,7 +39,7 @@
 //!
 //! # The way of a profile
 //!
-//! [`mod@file`] reads a [`Profile`] and tells what looks wrong about it ([`oddity`]); [`standard`] draws one. A [`curve`] goes
+//! [`mod@file`] reads a [`Profile`] and says what looks wrong about it ([`oddity`]); [`standard`] draws one. A [`curve`] goes
 //! through its points or smooths them. [`setup`] puts rail and wheel into the track, [`search`] finds the patches of
 //! contact, [`creepage`] says how the wheel slides in them, and [`mod@contact`] what that makes of a load.
 //!

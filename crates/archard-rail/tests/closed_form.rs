@@ -174,7 +174,7 @@ fn bumps() -> Setup {
 #[test]
 fn patches_join_by_their_distance() {
     let setup = bumps();
-    // Bumps on an arched rail are as deep as a wheel that leans against the slope: here 0, so they are alike.
+    // Bumps on an arched rail are as deep as a wheel that leans against the slope: here 0, so they are equal.
     let search = Search::new(&setup, Attitude::default()).unwrap();
     let height = search.onset().unwrap().height + 5e-6;
     let find = |join: f64| search.patches(height, join).unwrap();

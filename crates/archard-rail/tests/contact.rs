@@ -29,7 +29,7 @@ struct Held {
 }
 
 /// Forces and pressures may be off by a hundredth, on the flange by three: there the reference has patches 7 elements wide, and
-/// its own pressures fall by 1.5 % on finer ones. Where the contact sticks, at the shift 0, tangential forces count beside what
+/// its own pressures fall by 1.5 % on finer ones. Where the contact sticks, at the shift 0, tangential forces count against what
 /// friction bears.
 ///
 /// Of the area the reference's grid is held against: see `the_reference_counts_whole_elements`.
@@ -176,7 +176,7 @@ impl Profile for Recess {
 }
 
 /// On elements of the reference's size at its height of the wheel as many touch as there, to 2 % on the tread. The area up to the
-/// edge is 2 to 4 % smaller: elements whose middles lie beside the contact by less than a sixth of one bear something. On
+/// edge is 2 to 4 % smaller: elements whose middles lie next to the contact by less than a sixth of one bear something. On
 /// the flange the contact is 7 elements wide, and one row more or less is a seventh.
 #[test]
 fn the_reference_counts_whole_elements() {

@@ -1,4 +1,4 @@
-//! A cylinder on a rail with a circular head, where Hertz's theory tells the contact, and what cannot be a contact.
+//! A cylinder on a rail with a circular head, where Hertz's theory gives the contact, and what cannot be a contact.
 
 use std::sync::Arc;
 

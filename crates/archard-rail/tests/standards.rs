@@ -29,7 +29,7 @@ fn distance(curve: &Curve, [y, z]: [f64; 2]) -> f64 {
 
 /// Distances of the benchmark's points down to the gauge height from the drawing, the tops put together. The file's place
 /// along y is its own, so the drawing is moved there to where the largest distance is least: 0.04 mm is asked for. The
-/// file's arcs end 10.49 and 25.99 mm beside the middle, the drawing's 10.23 and 26.03.
+/// file's arcs end 10.49 and 25.99 mm next to the middle, the drawing's 10.23 and 26.03.
 #[test]
 fn the_rail_is_the_benchmarks() {
     let Some(folder) = common::folder() else { return };

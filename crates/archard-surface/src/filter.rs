@@ -38,7 +38,7 @@ pub enum NoFilter {
 }
 
 impl HeightMap {
-    /// The map without its short waves, of which half is kept at the cutoff (m): the S-filter of ISO 25178-3. Points that were not measured
+    /// The map without its short waves, half of them kept at the cutoff (m): the S-filter of ISO 25178-3. Points that were not measured
     /// count for nothing and stay so.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl HeightMap {
         Ok(self.of_heights(means.into_iter().map(|(mean, _)| mean).collect()))
     }
 
-    /// The map without its long waves, of which half is taken off at the cutoff (m): the L-filter of ISO 25178-3.
+    /// The map without its long waves, half of them taken off at the cutoff (m): the L-filter of ISO 25178-3.
     ///
     /// # Errors
     /// As of [`smoothed`](Self::smoothed).

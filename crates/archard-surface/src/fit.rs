@@ -84,7 +84,7 @@ impl Normal {
 mod tests {
     use super::Normal;
 
-    /// Three unknowns of which the points tell only a sum of two: both get half of it.
+    /// Three unknowns, and points that give only a sum of two: both get half of it.
     #[test]
     fn what_points_leave_open_is_shared() {
         let mut normal = Normal::new(3);

@@ -5,7 +5,7 @@
 
 use crate::map::HeightMap;
 
-/// Slope from which on it is none of a surface: 84 degrees. A dry lens of the largest aperture, 0.95, sees reflecting slopes
+/// Slope from which on it is not that of a surface: 84 degrees. A dry lens of the largest aperture, 0.95, sees reflecting slopes
 /// up to 3.0 (72 degrees), and a stylus of 60 degrees feels 1.7.
 const STEEP: f64 = 10.0;
 /// Slope that surfaces seldom have: 45 degrees.

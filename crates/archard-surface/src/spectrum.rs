@@ -3,7 +3,7 @@
 //! C(f) = dx dy/(nx ny <w^2>) |sum w (z - mean) exp(-2 pi i f r)|^2 (m^4) over spatial frequencies f (1/m), the inverse of
 //! wavelengths, with the window w. Its integral over all frequencies, negative ones too, is the mean square of w (z - mean) over that of w: Sq^2
 //! without a window. In the wave vector q = 2 pi f it is the C of T. D. B. Jacobs, T. Junge and L. Pastewka (*Surf. Topogr.: Metrol.
-//! Prop.* 5 (2017) 013001), whose integral has a factor 1/(2 pi)^2. Multiplied by (2 pi f)^2 it tells the mean square slope.
+//! Prop.* 5 (2017) 013001), whose integral has a factor 1/(2 pi)^2. Multiplied by (2 pi f)^2 it gives the mean square slope.
 
 use std::f64::consts::{PI, TAU};
 

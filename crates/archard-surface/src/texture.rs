@@ -1,7 +1,7 @@
 //! Parameters of areal surface texture (ISO 25178-2).
 //!
 //! Heights count from their mean, of the points that were measured. Gradients are taken after ISO 25178-2 from six neighbours
-//! along an axis, which is exact for polynomials of the sixth degree; beside the rim and points that are missing, where there are none, the
+//! along an axis, which is exact for polynomials of the sixth degree; next to the rim and points that are missing, where there are none, the
 //! point counts for nothing. The area of the surface is that of the triangles between neighbours.
 
 use crate::map::HeightMap;

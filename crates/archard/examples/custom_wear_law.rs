@@ -1,7 +1,7 @@
 //! A wear law of one's own: no wear below a threshold of pressure, Archard's beyond it.
 //!
 //! `cargo run --release --example custom_wear_law` slides a ball on a flat with it and prints the
-//! depth beside that of plain Archard wear. It ends in an error unless a threshold of zero wears as Archard's law does, and one
+//! depth next to that of plain Archard wear. It ends in an error unless a threshold of zero wears as Archard's law does, and one
 //! above Hertz's largest pressure not at all.
 
 use std::error::Error;

@@ -203,7 +203,7 @@ pub fn solve(
 
 impl Deformed {
     /// A meshed body in contact, under tractions of the pairs (Pa) on body 1 and its own loads; `None` where
-    /// something else than boundary elements tells how it deforms. `which` is its index, 0 or 1.
+    /// something else than boundary elements says how it deforms. `which` is its index, 0 or 1.
     ///
     /// # Errors
     /// If the bodies cannot touch, a point lies outside of the body, or its equations have no solution.

@@ -291,6 +291,46 @@ fn kept() -> BTreeMap<String, Vec<usize>> {
     rows.collect()
 }
 
+/// Turns of speech that have to be read twice, which comments do without.
+const TURNS: [&str; 6] = ["beside", "tells", "alike", "is none", "goes by", "of which"];
+
+/// The comments of a file with one of these turns, outside of code.
+fn turns(text: &str) -> Vec<String> {
+    let comments = text.lines().map(str::trim).filter(|line| line.starts_with("//"));
+    let prose = |line: &str| line.split('`').step_by(2).collect::<Vec<_>>().join(" ");
+    let words = |line: &str| {
+        let letters = |c: char| if c.is_alphanumeric() { c } else { ' ' };
+        let words: String = line.chars().map(letters).collect();
+        format!(" {} ", words.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let has = |line: &&str| {
+        let words = words(&prose(line));
+        TURNS.iter().any(|turn| words.contains(&format!(" {turn} ")))
+    };
+    comments.filter(has).map(str::to_owned).collect()
+}
+
+#[test]
+fn comments_speak_plainly() {
+    let mut all = vec![];
+    for name in CRATES {
+        all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name));
+    }
+    all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../python"));
+    let mut found = vec![];
+    for root in all {
+        let mut sources = vec![];
+        files(&root.join("src"), &mut sources);
+        for path in sources {
+            let text = fs::read_to_string(&path).expect("a source");
+            found
+                .extend(turns(&text).into_iter().map(|line| format!("{}: {line}", path.display())));
+        }
+    }
+    assert!(found.is_empty(), "{} comments:\n{}", found.len(), found.join("\n"));
+    assert_eq!(turns("// A pair beside it.\nlet beside = 1; // `beside`\n/// It tells.").len(), 2);
+}
+
 #[test]
 fn no_column_of_the_house_rises() {
     let now = table();

@@ -82,7 +82,7 @@ pub struct BodyCase {
     pub density: Option<f64>,
     /// The pressure (Pa) under which it yields; `None` where it stays elastic.
     pub hardness: Option<f64>,
-    /// How it conducts heat; `None` where its material tells all that is known.
+    /// How it conducts heat; `None` where its material gives all that is known.
     pub thermal: Option<Thermal>,
 }
 
@@ -221,7 +221,7 @@ impl BodyCase {
         Ok(Some(Arc::new(Layered::new(layers, below)?)))
     }
 
-    /// What its material tells of the body; nothing of one with layers, which is another at its surface.
+    /// What its material gives of the body; nothing of one with layers, which is another at its surface.
     pub(super) fn made_of<T>(&self, tells: fn(&MaterialCase) -> Option<T>) -> Option<T> {
         self.material.as_ref().filter(|_| self.layers.is_empty()).and_then(tells)
     }

@@ -287,7 +287,7 @@ impl CaseFile {
         span.map_or(at.clone(), |span| Location { span, ..at })
     }
 
-    /// The place to look at for a key of which nothing is written: the accuracy that a frame was chosen for, or the end of
+    /// The place to look at for a key that has nothing written: the accuracy that a frame was chosen for, or the end of
     /// the file, where the key would follow.
     fn place_of_unwritten(&self, key: &Key, table: &Table) -> Option<Location> {
         let first = key.parts().first()?;

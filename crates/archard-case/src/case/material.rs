@@ -43,7 +43,7 @@ const OF_CONDUCTOR: [Parameter; 4] = {
     optional([conductivity, diffusivity, share, temperature])
 };
 
-/// The same parameters, none of which has to be given.
+/// The same parameters, all of them optional.
 const fn optional<const N: usize>(mut parameters: [Parameter; N]) -> [Parameter; N] {
     let mut place = 0;
     while place < N {

@@ -9,7 +9,7 @@
 //!
 //! A case of one meshed body is an elastic problem without contact: an [`ElasticCase`], which builds an
 //! [`ElasticBody`](archard::elastic::ElasticBody). A case with `motion.wheel_rail` is a [`WheelRailCase`]. [`CaseFile::task`]
-//! tells them apart.
+//! separates them.
 //!
 //! # Case files
 //!

@@ -108,7 +108,7 @@ pub(super) fn read(
                     "its unit depends on the exponent, which has to be set first".to_owned(),
                 )
             })?;
-            // A factor of which the exponent has left no unit.
+            // A factor whose exponent has left no unit.
             let plain = if measure == Measure::NUMBER { plain(node) } else { None };
             let cell = surroundings.cell.filter(|_| quantity == Quantity::Force);
             let mean =
@@ -282,7 +282,7 @@ fn text(node: &Node) -> Result<String, Wrong> {
     }
 }
 
-/// A number, or text with a unit, as text; alike numbers give the same text however they are written.
+/// A number, or text with a unit, as text; equal numbers give the same text however they are written.
 pub(super) fn constant(node: &Node) -> Result<String, Wrong> {
     let value = plain(node).filter(|value| value.is_finite());
     match (value, &node.item) {
@@ -297,7 +297,7 @@ pub(super) fn constant(node: &Node) -> Result<String, Wrong> {
     }
 }
 
-/// What messages say beside a file that is not there.
+/// What messages say besides a file that is not there.
 fn help(path: &Path) -> Option<String> {
     let help = "a file is looked for from the folder of the case on, in options too";
     (!path.exists()).then(|| help.to_owned())

@@ -43,7 +43,7 @@ pub struct ResolvedElastic {
 pub struct ResolvedWheelRail {
     /// The case in SI.
     pub case: WheelRailCase,
-    /// What the set-up tells.
+    /// What the set-up gives.
     pub forecast: WheelRailForecast,
     /// What may not be as it was meant.
     pub warnings: Vec<Problem>,

@@ -7,7 +7,7 @@ use super::Case;
 /// What a case has in common with all that differ from it in the size of its wear coefficients alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WearByKs {
-    /// The case with its coefficients relative to the largest; equal of cases that are alike in all else.
+    /// The case with its coefficients relative to the largest; equal of cases that are equal in all else.
     pub kind: String,
     /// The largest coefficient (1/Pa).
     pub coefficient: f64,
@@ -50,7 +50,7 @@ impl Case {
         }
         let mut kind = unworn.to_string();
         for part in coefficients {
-            // Twelve digits: coefficients that were scaled alike are rounded unlike.
+            // Twelve digits: coefficients that were scaled equally are rounded unlike.
             let part = part.map(|part| format!("{:.11e}", part / coefficient));
             let _ = writeln!(kind, "{part:?}");
         }

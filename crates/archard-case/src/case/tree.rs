@@ -28,7 +28,7 @@ pub(super) enum Item {
     Boolean(bool),
     Array(Vec<Node>),
     Table(Table),
-    /// A date or a time, of which no case has any use.
+    /// A date or a time: no case has any use of it.
     Date,
 }
 

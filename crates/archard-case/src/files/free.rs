@@ -24,7 +24,7 @@ pub fn free_memory() -> f64 {
 }
 
 /// The same for dense equations: each thread of their factorisation reserves twice the size of the processor's last
-/// cache (of the products of `faer`), of which it uses little.
+/// cache (of the products of `faer`): it uses little of it.
 pub(crate) fn available_to_equations() -> f64 {
     let root = Path::new("/");
     free(root, OF_A_THREAD + 2.0 * last_cache(root))
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(machine(Path::new("/nowhere")), None);
     }
 
-    /// The group above has the tighter limit, of which cached files can be had back.
+    /// The group above has the tighter limit; what cached files take of it can be had back.
     #[test]
     fn the_tightest_group_counts() {
         let second = system(&[

@@ -38,7 +38,7 @@ impl Contents {
 /// The bytes of a file.
 ///
 /// # Errors
-/// If there is no such file, it is none but a folder, a pipe or a device, it is too large for the memory that is free,
+/// If there is no such file, it is a folder, a pipe or a device, it is too large for the memory that is free,
 /// or the system refuses to read it.
 pub fn read(path: &Path, contents: Contents) -> io::Result<Vec<u8>> {
     let file = open(path)?;

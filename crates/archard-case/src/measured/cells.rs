@@ -5,7 +5,7 @@ use archard::units::Scale;
 /// The value of a cell (SI); `None` where it is not a finite number.
 pub(super) fn value(text: &str, scale: &Scale) -> Option<f64> {
     match text.split_once(',') {
-        // A second comma, or a point beside it, would be a separator of thousands.
+        // A second comma, or a point next to it, would be a separator of thousands.
         Some((whole, rest)) if !rest.contains([',', '.']) && !whole.contains('.') => {
             scale.apply(&format!("{whole}.{rest}"))
         }

@@ -165,7 +165,7 @@ impl Table {
         self.headings.iter().filter(other).map(|heading| heading.title.as_str()).collect()
     }
 
-    /// The texts in a column; `None` where there is none of that name.
+    /// The texts in a column; `None` where none exists of that name.
     pub fn texts(&self, name: &str) -> Option<Vec<&str>> {
         let column = self.column(name)?;
         Some(self.rows.iter().map(|row| row.cells[column].as_str()).collect())
@@ -217,7 +217,7 @@ impl Table {
         Err(Error::TooLarge { table, line, column, value })
     }
 
-    /// Refuses values (SI) of a column of which one is larger than what it holds may be.
+    /// Refuses values (SI) of a column with one larger than what it holds may be.
     ///
     /// # Errors
     /// With the line of the first.
@@ -270,7 +270,7 @@ impl Table {
     /// pure numbers; what stands behind `_` is a unit.
     ///
     /// # Errors
-    /// If a unit is none, a cell is empty or not a finite number.
+    /// If a unit cannot be one, a cell is empty or not a finite number.
     pub fn columns(&self) -> Result<Vec<(String, String, Vec<f64>)>, Error> {
         let column = |(index, heading): (usize, &Heading)| {
             // What stands behind `_` and is no unit may be one that is written wrong.

@@ -10,7 +10,7 @@ use super::table::{Table, number};
 use super::{CASE, Claim, Error, SUMMARY};
 use crate::verdict::Verdict;
 
-/// What another run tells of a run.
+/// What another run gives of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Derived<'a> {
     /// The rows of its history.

@@ -1,6 +1,6 @@
 //! Files that are whole or not there.
 //!
-//! A file is written beside its place under a name of its own, `NAME.PROCESS.NUMBER.part`, brought to the disk and
+//! A file is written next to its place under a name of its own, `NAME.PROCESS.NUMBER.part`, brought to the disk and
 //! then moved to its place. No reader finds half of it, also after a power cut, and two writers never share a part.
 
 use std::ffi::OsStr;
@@ -61,7 +61,7 @@ fn fill(mut file: File, content: &[u8]) -> io::Result<()> {
     file.sync_all()
 }
 
-/// A name beside a path that no other writer has.
+/// A name besides a path that no other writer has.
 fn part(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     let number = NEXT.fetch_add(1, Ordering::Relaxed);

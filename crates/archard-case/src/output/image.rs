@@ -149,7 +149,7 @@ mod tests {
         Image { origin, spacing, elements: [8, 6], fields: vec![Field::new("one", values)] }
     }
 
-    /// Means over four elements, and nothing beside them.
+    /// Means over four elements, and nothing next to them.
     #[test]
     fn on_elements_twice_as_large() {
         let fine = image(1.0, |x, y| (x * x + 3 * y) as f64);

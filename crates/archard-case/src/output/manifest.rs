@@ -37,7 +37,7 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// The list of a folder; empty where there is none.
+    /// The list of a folder; empty where none exists.
     ///
     /// # Errors
     /// If it cannot be read, or another program wrote it.

@@ -181,7 +181,7 @@ pub enum Error {
         /// What is the matter, and what to do.
         why: &'static str,
     },
-    /// A number that is none.
+    /// A number that cannot be read.
     #[error(
         "`{name}` is not a finite number at {place}; the step is not kept, this is a fault of the program or of a value far out of range"
     )]

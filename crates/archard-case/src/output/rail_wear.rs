@@ -78,7 +78,7 @@ pub struct RailPlan {
 }
 
 impl RailPlan {
-    /// The plans of wheels of these sides: at the first limit, or at the end where there is none, and where a metre costs least.
+    /// The plans of wheels of these sides: at the first limit, or at the end where none exists, and where a metre costs least.
     pub fn of(
         turning: &Turning,
         limits: &[Limit],
@@ -197,7 +197,7 @@ fn extension(format: Format) -> &'static str {
     }
 }
 
-/// The names of the files, for bodies of which some wear, sides, and the formats of their profiles.
+/// The names of the files, for bodies, which of them wear, sides, and the formats of their profiles.
 pub(super) fn rail_wear_files(
     wears: [bool; 2],
     sides: &[Side],

@@ -1,4 +1,4 @@
-//! Worn volumes as test standards compute them from a scar or a track, beside the volumes that were worn.
+//! Worn volumes as test standards compute them from a scar or a track, next to the volumes that were worn.
 
 use serde_json::{Value, json};
 

@@ -67,7 +67,7 @@ impl Surface {
     }
 
     /// The outlines (m) of all parts as they look along z, mirror images included, each with the value of the field of that
-    /// name; `None` if there is none.
+    /// name; `None` if none exists.
     pub fn parts(&self, name: &str) -> Option<Vec<(Vec<[f64; 2]>, f64)>> {
         let values = self.field(name)?;
         let sides = self.sides();
@@ -82,7 +82,7 @@ impl Surface {
     }
 
     /// The elements of an image of the surface as it looks along z, without fields, and the part that each of them shows, an
-    /// index into [`Surface::parts`]; none beside the surface.
+    /// index into [`Surface::parts`]; none next to the surface.
     pub fn raster(&self) -> (Image, Vec<Option<usize>>) {
         let image = self.frame(MOST);
         let sides = self.sides();
@@ -96,7 +96,7 @@ impl Surface {
     }
 
     /// The surface as it looks along z: each element of the image has the value of the pair it shows, or zero
-    /// beside the surface. Mirror images are shown.
+    /// next to the surface. Mirror images are shown.
     pub fn image(&self) -> Image {
         let mut image = self.frame(1);
         let shown = self.shown(&image);

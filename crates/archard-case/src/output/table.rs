@@ -32,7 +32,7 @@ impl Kept {
     /// Says whether a file still has the rows that it had.
     ///
     /// # Errors
-    /// If it is none, or shorter.
+    /// If it is not there, or shorter.
     pub(super) fn find(self, path: &Path) -> Result<(), Error> {
         let found = fs::symlink_metadata(path).and_then(|known| {
             if known.is_file() && known.len() >= self.length {
@@ -129,7 +129,7 @@ fn refused(path: &Path, error: csv::Error) -> Error {
     Error::Write { path: path.to_owned(), source: io::Error::from(error) }
 }
 
-/// A number with all its digits; empty where there is none.
+/// A number with all its digits; empty where none exists.
 pub(super) fn number(value: f64) -> String {
     if value.is_nan() {
         String::new()

@@ -1,6 +1,6 @@
 //! The transverse profiles of bodies before and after wear, where a surface passes.
 //!
-//! A surface that passes is worn alike along the motion: its profile is the mean over each line. A body that stays under the
+//! A surface that passes is worn equally along the motion: its profile is the mean over each line. A body that stays under the
 //! contact has a section of its own at each place along the motion; the profile is that through the middle.
 
 use super::Error;

@@ -18,7 +18,7 @@ pub const EDGES: &str = "edges";
 
 /// The share of the load on the edge of the frame, and how many pairs bear it.
 ///
-/// A contact that goes on beyond its frame is cut off there, and nothing tells how much of it is missing; so any
+/// A contact that goes on beyond its frame is cut off there, and nothing says how much of it is missing; so any
 /// pressure at the edge is doubtful. The case `hertz` on a frame of 0.3 mm, whose outermost ring of 30 elements a side the
 /// contact just reaches, has 1 % of its load there.
 pub fn edges(share: f64, pairs: usize) -> Line {
@@ -173,7 +173,7 @@ pub fn layers(gone: f64, body: &str) -> Line {
 /// The largest pressure over Young's modulus of a body whose hardness is not given, and its name.
 ///
 /// The hardness of engineering solids ends at about E/20: bearing steel of 62 HRC has 7.5 GPa at 208 GPa (1/28), alumina 18 GPa
-/// at 380 GPa (1/21), silicon nitride 15.5 GPa at 310 GPa (1/20); others are softer beside their moduli (M. F. Ashby, *Materials
+/// at 380 GPa (1/21), silicon nitride 15.5 GPa at 310 GPa (1/20); others are softer for their moduli (M. F. Ashby, *Materials
 /// Selection in Mechanical Design*, chart of strength over modulus: yield strains of 2 % and less, a third of the hardness).
 pub fn modulus(over: f64, body: &str) -> Line {
     let text = format!(

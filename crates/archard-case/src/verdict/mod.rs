@@ -42,7 +42,7 @@ impl Verdict {
         self
     }
 
-    /// The same with all that the user was warned of, each of which is doubtful. What a line judges that is not good anyhow counts
+    /// The same with all that the user was warned of: each is doubtful. What a line judges that is not good anyhow counts
     /// once.
     #[must_use]
     pub fn warned_of(mut self, warnings: &[Warning]) -> Self {

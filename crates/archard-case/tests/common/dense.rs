@@ -19,7 +19,7 @@ pub struct Uneven {
     pub elements: [usize; 2],
     /// How much sizes differ from their mean at most, relative to it.
     pub unevenness: f64,
-    /// Planes of symmetry of which only the positive side is there.
+    /// Planes of symmetry with only the positive side there.
     pub mirrored: [bool; 2],
     /// Whether the matrix is made symmetric; collocation leaves it a little unsymmetric.
     pub symmetric: bool,

@@ -145,7 +145,7 @@ fn all(growth: f64, test: impl Fn(&Example, [bool; 2], &Meshed)) {
 fn every_shape_has_an_example() {
     for choice in MESHES {
         let known = examples().iter().any(|example| example.name == choice.name);
-        // Files are tested beside their code.
+        // Files are tested next to their code.
         assert!(known || choice.name == "file", "`{}` needs an example", choice.name);
         assert!((choice.build)(&Values::default()).is_err(), "{}", choice.name);
     }

@@ -121,7 +121,7 @@ pub fn small_frame() -> ContactFrame {
     ball.problem().frame
 }
 
-/// Compliances of bodies alike, unlike, and one of them rigid.
+/// Compliances of bodies of one kind, unlike, and one of them rigid.
 pub fn compliances(frame: &ContactFrame) -> [HalfSpace; 3] {
     [[Some(&STEEL), Some(&STEEL)], [Some(&STEEL), Some(&BRASS)], [Some(&STEEL), None]]
         .map(|materials| HalfSpace::new(materials, frame))

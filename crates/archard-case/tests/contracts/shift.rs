@@ -127,7 +127,7 @@ fn maps_on_other_elements_are_those_of_their_frames() {
             map.apply([x, y], [&mut one, &mut two]);
             [one, two].concat()
         };
-        // Each of the compliances alike, unlike and with one rigid, on the smaller frame.
+        // Each of the compliances of like bodies, unlike ones and with one rigid, on the smaller frame.
         let same = compliances(&smaller)
             .into_iter()
             .map(|compliance| image(&*compliance.shifting(&smaller)))

@@ -50,7 +50,7 @@ creepage = 0.001
 revolutions = 0
 "#;
 
-/// Bodies count as alike up to 0.01: the force and the energy of a cycle are still those of Cattaneo, Mindlin and
+/// Bodies count as equal up to 0.01: the force and the energy of a cycle are still those of Cattaneo, Mindlin and
 /// Deresiewicz (Johnson, eqs. 7.42 and 7.50).
 #[test]
 fn nearly_alike_bodies_fret_as_alike_ones() {
@@ -75,7 +75,7 @@ fn nearly_alike_bodies_fret_as_alike_ones() {
 }
 
 /// The stretch of unlike surfaces works as another creepage. Where it is a hundredth of the one given, the force is that
-/// of alike bodies; where it is a sixth, 5 % are missing.
+/// of equal bodies; where it is a sixth, 5 % are missing.
 #[test]
 fn unlike_bodies_roll_as_alike_ones_where_they_creep_by_much_more() {
     for (beta, creepage, there) in [(0.001, 1e-3, true), (0.002, 1e-4, false)] {

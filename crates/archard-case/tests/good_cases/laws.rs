@@ -7,7 +7,7 @@ use archard::parameters::About;
 use archard::wear::{ABOUT_WEAR_LAWS, WEAR_LAWS};
 use archard_case::CaseFile;
 
-/// Motions, one of which suits any law.
+/// Motions: one of them suits any law.
 const MOTIONS: [&str; 4] = [
     "sliding={load=10 N, distance=1 m, step=10 mm, speed=1 m/s}",
     "fretting={load=10 N, amplitude=[1 um, 0 um], cycles=2, increments=8}",

@@ -67,7 +67,7 @@ fn materials_tell_the_heat_where_a_temperature_follows() {
     assert_eq!(warm(&[]), [false; 2]);
 }
 
-/// A `thermal` table says what is to be said beside the material.
+/// A `thermal` table says what is to be said besides the material.
 #[test]
 fn a_table_of_heat_leaves_out_what_the_material_tells() {
     let thermal = "body.disc1.thermal={temperature=80 degC, diffusivity=10 mm^2/s}";

@@ -86,7 +86,7 @@ fn meshed_cases_read_back_to_the_same_bits() {
     reads_back(&punch(&[point]).case);
 }
 
-/// What tells how the block deforms.
+/// What says how the block deforms.
 fn way(options: &[&str]) -> Elasticity {
     let case = punch(options).case;
     reads_back(&case);

@@ -122,7 +122,7 @@ fn the_forecast_of_unlike_cylinders_has_their_free_rolling() {
     assert_eq!((creep.stick_share, creep.linear_force, creep.force), (None, None, None));
 }
 
-/// Fixed steps of nothing that wears are known exactly, a sweep goes by its increments, and steps chosen
+/// Fixed steps of nothing that wears are known exactly, a sweep depends on its increments, and steps chosen
 /// by error are fewer than in sliding.
 #[test]
 fn the_forecast_counts_the_solves_of_rolling() {

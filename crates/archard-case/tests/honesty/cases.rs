@@ -79,7 +79,7 @@ fn indentation_with_friction(random: &mut Random) -> Case {
     Case { text, truths: vec![] }
 }
 
-/// A distance (m), long beside what is elastic.
+/// A distance (m), long against what is elastic.
 const DISTANCE: f64 = 1.0;
 
 /// A pin: its depth, from less than the approach on.
@@ -223,7 +223,7 @@ fn rolling_of_lines(random: &mut Random) -> Case {
     case
 }
 
-/// A layer on one of two bodies that are alike below it, lines as a rule.
+/// A layer on one of two bodies that are of one kind below it, lines as a rule.
 fn layered_rolling(random: &mut Random) -> Case {
     let line = random.chance(0.7);
     let contact = layered(random, line);
@@ -280,7 +280,7 @@ fn worn_waves(random: &mut Random) -> Case {
     Case { text, truths: vec![] }
 }
 
-/// Bodies of which one yields below the pressure that elastic ones have.
+/// Bodies, the softer yielding below the pressure that elastic ones have.
 fn yielding(random: &mut Random) -> Case {
     let contact = smooth(random, 0.0, false);
     let hardness = contact.peak() * random.between(0.3, 0.95);
@@ -314,7 +314,7 @@ fn swung(contact: &Contact, laws: [&str; 2], friction: &str, driven: &str) -> St
     ACCURACY.to_owned() + &contact.bodies(laws) + friction + &motion
 }
 
-/// Areas take many elements: few cycles, bodies alike.
+/// Areas take many elements: few cycles, bodies of one kind.
 fn fretting(random: &mut Random) -> Case {
     let contact = smooth(random, 0.0, false);
     let (friction, coefficient) = friction(random);
@@ -331,7 +331,7 @@ fn fretting_of_lines(random: &mut Random) -> Case {
     Case { text, truths: if contact.alike() { contact.truths() } else { vec![] } }
 }
 
-/// Cycles that wear, so many that most are jumped over. Of lines, alike where a part sticks: others take minutes.
+/// Cycles that wear, so many that most are jumped over. Of lines, like bodies where a part sticks: others take minutes.
 const CYCLES: f64 = 1000.0;
 
 fn fretting_with_wear(random: &mut Random) -> Case {

@@ -158,7 +158,7 @@ pub fn smooth(random: &mut Random, unlike: f64, line: bool) -> Contact {
     coated(random, contact)
 }
 
-/// Bodies that are alike below a layer on the second, nearly incompressible at times.
+/// Bodies that are of one kind below a layer on the second, nearly incompressible at times.
 pub fn layered(random: &mut Random, line: bool) -> Contact {
     let contact = smooth(random, 0.0, line);
     let Some(below) = contact.materials[1] else { return contact };

@@ -18,7 +18,7 @@ fn book() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src")
 }
 
-/// The text of a list beside the pictures.
+/// The text of a list next to the pictures.
 fn list(name: &str) -> String {
     fs::read_to_string(book().join("gallery").join(name)).expect("a list")
 }

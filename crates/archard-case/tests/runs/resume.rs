@@ -96,7 +96,7 @@ const CASES: [(&str, &[&str]); 17] = [
             "motion.sliding.tolerance=0.03",
         ],
     ),
-    // A law that goes by the temperature of the contact.
+    // A law that depends on the temperature of the contact.
     (
         "warm_twin_disc",
         &["accuracy=", "frame.size=0.8 mm", "frame.elements=40", "motion.rolling.step=30"],

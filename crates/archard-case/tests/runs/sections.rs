@@ -10,7 +10,7 @@ use archard::simulation::Simulation;
 use archard::wear::Archard;
 use archard_case::output::{ResultFolder, Totals};
 
-/// A paraboloid of 50 mm with its apex beside the centre.
+/// A paraboloid of 50 mm with its apex next to the centre.
 #[derive(Debug)]
 struct Beside([f64; 2]);
 
@@ -50,7 +50,7 @@ fn sections(apex: [f64; 2]) -> BTreeMap<(String, i64), [f64; 2]> {
     sections
 }
 
-/// A half-space is the same everywhere: the sections of a contact beside the middle are those of one in the middle.
+/// A half-space is the same everywhere: the sections of a contact next to the middle are those of one in the middle.
 #[test]
 fn a_contact_beside_the_middle_is_cut_through_its_middle() {
     let middle = sections([0.0; 2]);

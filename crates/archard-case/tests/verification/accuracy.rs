@@ -62,7 +62,7 @@ pub(super) fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64)
     assert!(off <= error + leaves + rounding, "{what} {column}: {off:e} of {error:e}");
 }
 
-/// Asserts that a value is not far outside of the error stated. An error is a bound that holds for 99 of 100 values, none of which is
+/// Asserts that a value is not far outside of the error stated. An error is a bound that holds for 99 of 100 values, and none is
 /// beyond three times (`honesty.rs`); cases that are picked from many as the worst are among the hundredth.
 pub(super) fn assert_near(row: &Row, column: &str, (truth, leaves): (f64, f64), what: &str) {
     let (found, error) = with_error(row, column);

@@ -126,7 +126,7 @@ fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
 }
 
 /// A ball that hardly wears, by a law for which no closed form foresees the scar, so that few elements of the frame lie across the
-/// contact: the deepest lies beside the middle.
+/// contact: the deepest lies next to the middle.
 #[test]
 fn the_depth_of_few_elements_lies_within_the_error_stated() {
     // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2).

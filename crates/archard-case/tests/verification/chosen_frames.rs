@@ -126,7 +126,7 @@ fn lines_of_contact_of_measured_sections_are_found() {
 fn frames_grow_to_what_touches_beyond() {
     let pressed = "[motion.indentation]\nload = \"10.2 N\"\nincrements = 1\n";
     let hertz = Hertz::from_load([20.0; 2], 0.5 * 210e9 / (1.0 - 0.09), 10.2).unwrap();
-    // The gap beside a contact of radius a under the approach d (K. L. Johnson, *Contact Mechanics*, 1985, section 3.4).
+    // The gap next to a contact of radius a under the approach d (K. L. Johnson, *Contact Mechanics*, 1985, section 3.4).
     let gap = |apart: f64| {
         let root = (apart * apart - 1.0).sqrt();
         let sunk = (2.0 - apart * apart) * (1.0 / apart).asin() + root;
@@ -152,7 +152,7 @@ fn frames_grow_to_what_touches_beyond() {
         (0..problem.frame.len()).any(near)
     };
     let frame = ["frame.size=[\"0.4 mm\", \"0.4 mm\"]", "frame.elements=[40, 40]"];
-    // The middle of an element lies a part of it beside the tip.
+    // The middle of an element lies a part of it next to the tip.
     for radii in [2.0, 5.0] {
         for (share, meets) in [(0.9, false), (1.3, true)] {
             let (dir, place) = spiked(radii, share);

@@ -1,5 +1,5 @@
 //! The half-space compliance as an operator. Its coefficients are held against independent values
-//! beside the code, where they can be reached.
+//! next to the code, where they can be reached.
 
 use approx::assert_relative_eq;
 use archard::body::Material;

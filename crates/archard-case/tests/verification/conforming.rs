@@ -1,4 +1,4 @@
-//! Bodies of which one is hollow, as exact circles: Hertz's theory knows them by the sum of their curvatures.
+//! Bodies, one of them hollow, as exact circles: Hertz's theory knows them by the sum of their curvatures.
 
 use archard::body::contact_modulus;
 use archard::closed_form::Hertz;

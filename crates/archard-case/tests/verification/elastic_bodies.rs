@@ -223,8 +223,8 @@ fn errors_of_bending(interpolation: Interpolation, divisions: &[f64]) -> Vec<f64
     divisions.iter().map(error_of).collect()
 }
 
-/// Pure bending is quadratic on every side of the bar: with second derivatives from the nodes of elements beside it,
-/// discontinuous elements meet it to the tolerance of the integrals. A single one across has none beside it there;
+/// Pure bending is quadratic on every side of the bar: with second derivatives from the nodes of elements next to it,
+/// discontinuous elements meet it to the tolerance of the integrals. A single one across has none next to it there;
 /// continuous ones have their order.
 #[test]
 fn elastic_bar_bends_exactly_or_at_the_order_of_its_elements() {

@@ -24,7 +24,7 @@ fn steel() -> Thermal {
     Thermal::new(50.0, 13e-6).unwrap().at(293.15).unwrap()
 }
 
-/// A ball of 20 mm under 50 N and a flat, of which body 1 or body 2 is the ball.
+/// A ball of 20 mm under 50 N and a flat; body 1 or body 2 is the ball.
 fn ball_and_flat(ball: usize, thermal: [Option<Thermal>; 2]) -> [Body; 2] {
     let material = Material::new(210e9, 0.3).unwrap();
     [0, 1].map(|body| {
@@ -285,7 +285,7 @@ fn rolling_tells_the_speed_of_slip() {
     }
 }
 
-/// A law that goes by the temperature stops where it is not known: by the engine, too, which `check` does not ask.
+/// A law that depends on the temperature stops where it is not known: by the engine, too, which `check` does not ask.
 #[test]
 fn laws_stop_where_the_temperature_is_not_known() {
     let built = |thermal: Option<Thermal>, speed: f64, friction: bool| {

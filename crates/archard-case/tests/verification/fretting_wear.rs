@@ -27,7 +27,7 @@ fn stick_radius(modulus: f64, unworn: f64, approach: f64) -> f64 {
 
 /// The published case up to 120,000 cycles, where it wears hardly more: one stick radius, that of the
 /// approach, gives centre pressure, deepest wear, scar radius and volume within 1 %. The depth has its
-/// steepest slope at the edge of the stick zone, of which the elements take means: it is 0.9 % off.
+/// steepest slope at the edge of the stick zone: the elements take its means: it is 0.9 % off.
 #[test]
 fn the_fretting_of_a_sphere_ends_in_its_stick_zone() {
     let case_file = include_str!("../../../../cases/fretting_sphere/case.toml");

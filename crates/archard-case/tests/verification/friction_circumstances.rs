@@ -1,4 +1,4 @@
-//! Friction that goes by the speed, the distance slid and the temperature.
+//! Friction that depends on the speed, the distance slid and the temperature.
 
 use approx::assert_relative_eq;
 use archard::friction::{Circumstance, Coulomb, Friction, Table};
@@ -131,7 +131,7 @@ fn the_longer_distance_counts() {
     assert_relative_eq!(rows.last("worn_volume_flat_m3"), 1e-18 * 50.0 * 0.35, max_relative = 1e-6);
 }
 
-/// Cylinders of 20 mm on a line of 10 mm under 5 kN, of which the flat passes at 5 m/s.
+/// Cylinders of 20 mm on a line of 10 mm under 5 kN; the flat passes at 5 m/s.
 const LINE: &str = r#"
     [body.one]
     material = { young = "210 GPa", poisson = 0.3 }

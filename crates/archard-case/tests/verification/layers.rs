@@ -176,7 +176,7 @@ fn the_order_of_bodies_changes_signs_alone() {
     }
 }
 
-/// What is worn off each material, over its coefficient, is load times distance; at the end both wear down alike, so that pressures
+/// What is worn off each material, over its coefficient, is load times distance; at the end both wear down equally, so that pressures
 /// go as one over the coefficients.
 #[test]
 fn layers_and_what_is_below_share_load_times_distance() {

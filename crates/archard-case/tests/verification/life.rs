@@ -21,7 +21,7 @@ fn lives(limits: &[(&str, f64)], options: &[&str]) -> (Option<Reached>, Rows) {
     (life.reached().cloned(), rows)
 }
 
-/// Worn volumes are k F s, so that a volume tells the distance, and the run ends on the step that passes it.
+/// Worn volumes are k F s, so that a volume gives the distance, and the run ends on the step that passes it.
 #[test]
 fn volumes_last_as_long_as_load_and_coefficient_say() {
     let volume = WEARS * 0.2;

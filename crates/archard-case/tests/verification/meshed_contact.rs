@@ -209,7 +209,7 @@ cycles = 1
     }
 }
 
-/// Blocks alike that are pressed on each other share the approach.
+/// Blocks of one kind that are pressed on each other share the approach.
 #[test]
 fn two_blocks_share_what_one_takes_alone() {
     let alone = case(
@@ -249,7 +249,7 @@ fn tangential_displacements_under_a_smooth_pressure_are_smooth() {
         (places, problem.compliance.apply(&tractions).t1)
     });
     let largest = half_space.1.iter().fold(0.0f64, |largest, u| largest.max(u.abs()));
-    // Rows of pairs along x: the difference at each pair against the line through those beside it.
+    // Rows of pairs along x: the difference at each pair against the line through those next to it.
     let mut row: Vec<(f64, f64)> = vec![];
     let mut alternation = 0.0f64;
     let y = block.0.iter().map(|place| place[1]).fold(f64::INFINITY, f64::min);

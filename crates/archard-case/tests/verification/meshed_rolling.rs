@@ -15,7 +15,7 @@ const LOAD: f64 = 61.538;
 const SHEAR: f64 = 210e9 / 2.6;
 const CREEPAGE: f64 = 0.001;
 
-/// A ball creeping along x over the block, of which half is meshed; the force on the ball (N).
+/// A ball creeping along x over the block, half of it meshed; the force on the ball (N).
 fn creep_force(elements: usize, elasticity: &str, friction: f64) -> f64 {
     let text = format!(
         r#"

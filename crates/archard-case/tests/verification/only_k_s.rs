@@ -72,7 +72,7 @@ fn assert_that_one_run_is_all(name: &str, options: &[&str], coefficients: &[(&st
             // Exactly as its case says.
             assert_alike(&told, rows(&separate).last().unwrap());
         }
-        // As far as the one run goes, by its own measure: where steps are looser at first goes by the way as a whole.
+        // As far as the one run goes, by its own measure: where steps are looser at first depends on the way as a whole.
         let end = separate.schedule.extent;
         separate.schedule.extent = one.schedule.extent / share;
         separate.schedule.stepping = one.schedule.stepping;
@@ -135,7 +135,7 @@ fn of_a_coating_worn_through() {
     );
 }
 
-/// Cases that are alike in all but the size of the coefficients, and nothing else, are of one kind.
+/// Cases that are equal in all but the size of the coefficients, and nothing else, are of one kind.
 #[test]
 fn only_where_k_alone_differs() {
     let kind = |options: &[&str]| case("pin_on_disc_both", options, &[]).wears_by_k_s();

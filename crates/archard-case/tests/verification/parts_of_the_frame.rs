@@ -82,7 +82,7 @@ fn bodies() -> impl Strategy<Value = Bodies> {
         })
 }
 
-/// What was solved on a part is what is solved on the frame, and nothing overlaps beside the part.
+/// What was solved on a part is what is solved on the frame, and nothing overlaps next to the part.
 fn assert_alike(step: &Step<'_>, on_part: &Outcome, whole: &Outcome) {
     assert_eq!((on_part.status, whole.status), (Status::Converged, Status::Converged));
     let highest = peak(&whole.pressure);

@@ -103,7 +103,7 @@ fn all_components_are_those_of_half_spaces_next_to_a_load() {
     let (materials, layers) = ([Some(&one), Some(&other)], [&layer[..], &[]]);
     let endless = Periodic::new(materials, layers, [4e-3; 2], &frame);
     let alone = HalfSpace::layered(materials, layers, &frame);
-    // Smooth loads, which elements and waves take alike.
+    // Smooth loads, which elements and waves take equally.
     let at = |pair: usize| {
         let [x, y] = frame.place(pair);
         let square = (x - 0.1e-3).powi(2) + (y + 0.05e-3).powi(2);

@@ -137,7 +137,7 @@ fn creep_forces_on_a_circle() {
     }
 }
 
-/// Cylinders of a given half width (m) in contact over a length so great beside it that the strain is plane
+/// Cylinders of a given half width (m) in contact over a length so great against it that the strain is plane
 /// but at the ends, on one row of elements: the frame 2.2 half widths wide.
 fn strip(elements: usize, half_width: f64, bodies: [(f64, f64, f64); 2], options: &str) -> String {
     let length = 200.0 * half_width;
@@ -273,7 +273,7 @@ fn unlike_spheres_creep_less_than_rollers() {
     assert_relative_eq!(row(text).last("creepage"), expected * unit, max_relative = 0.01);
 }
 
-/// Unlike discs on elements of which one at the rim opens under one friction and closes under the next, each time: pressures and
+/// Unlike discs on elements, with one at the rim that opens under one friction and closes under the next, each time: pressures and
 /// friction agree but for it. The force is that of half as many elements.
 #[test]
 fn an_element_that_opens_and_closes_in_turn_is_no_end() {

@@ -1,7 +1,7 @@
 //! Rolling where pairs form no rows: triangles, shaken about, against Kalker's theory and against rows.
 //!
 //! A steel ball of 20 mm radius touches a block in a circle of 0.2 mm radius. The zone of the block, 0.52 mm along x
-//! and y, has n x n squares of which two triangles are made, their corners inside the zone moved by up to a
+//! and y, has n x n squares, each made two triangles, their corners inside the zone moved by up to a
 //! fifth of the side. Both bodies deform as half-spaces, so that nothing but the pairs is in question.
 
 use approx::assert_relative_eq;

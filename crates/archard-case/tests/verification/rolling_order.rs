@@ -8,7 +8,7 @@ use super::rolling::{Patch, coefficient, row};
 use super::rolling_wear::{WEAR, twin_discs};
 use crate::common::{Rows, case, states};
 
-/// Carter's force relative to mu P with that many elements over the width of the contact, `beyond` of them beside it.
+/// Carter's force relative to mu P with that many elements over the width of the contact, `beyond` of them next to it.
 fn carters(across: f64, beyond: usize, relative: f64, options: &str) -> Rows {
     let elements = across.floor() as usize + beyond;
     let width = 0.4 * elements as f64 / across;

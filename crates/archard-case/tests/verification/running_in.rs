@@ -10,7 +10,7 @@ use crate::common::{STEEL, case, states};
 
 /// Rates at which the first three modes decay on so many elements along a side, and those of the closed form.
 ///
-/// An implicit step of T leaves 1 / (1 + m T) of a mode, whatever its length, which tells m. The disc is a
+/// An implicit step of T leaves 1 / (1 + m T) of a mode, whatever its length, which gives m. The disc is a
 /// staircase of whole elements; as its radius counts that of a circle of the same area. On whole elements
 /// modes are not quite orthogonal, and later steps would mix the slowest, by then the largest, into the
 /// others.
@@ -35,7 +35,7 @@ fn rates(elements: usize) -> [(f64, f64); 3] {
     };
     let time = COEFFICIENT * contact_modulus([None, Some(&STEEL)]) * 2e-3 / radius;
     [0, 1, 2].map(|mode| {
-        // The first two steps spread the infinite pressure at the edge, of which elements take means.
+        // The first two steps spread the infinite pressure at the edge: elements take its means.
         let [early, late] = [2, STEPS].map(|step| share(mode, &states[step].0.pressure));
         let left = (late / early).powf(1.0 / (STEPS as f64 - 2.0));
         ((1.0 / left - 1.0) / time, modes.decay_rates()[mode])
@@ -74,7 +74,7 @@ fn a_punch_that_has_run_in_presses_evenly() {
     let pressed: Vec<f64> = state.pressure.iter().copied().filter(|&p| p > 0.0).collect();
     let mean = 100.0 / (pressed.len() as f64 * frame.element_area());
     for pressure in &pressed {
-        // The slowest mode starts with a share of order one, of which exp(-2.06 * 3) is left.
+        // The slowest mode starts with a share of order one: exp(-2.06 * 3) of it is left.
         assert_relative_eq!(*pressure, mean, max_relative = 0.01);
     }
     let volume = frame.integrate(&state.total_worn());

@@ -166,7 +166,7 @@ fn an_l_shape_from_a_file_bends_as_finite_elements_do() {
     assert!(elastic_verdict(&found.0, &found.1, &[]).word() < Word::Wrong);
 }
 
-/// However fast elements grow away from the zone, the cantilever below a ball bends alike: with growth 3 and 2 and
+/// However fast elements grow away from the zone, the cantilever below a ball bends equally: with growth 3 and 2 and
 /// without regard to the thickness the approach was 63 % and 16 % off that of elements of half a millimetre.
 #[test]
 fn a_cantilever_under_a_ball_bends_alike_on_all_meshes() {

@@ -11,7 +11,7 @@ use archard_case::output::Standard;
 
 use crate::common::{Rows, case};
 
-/// A ball of 3 mm on a flat, one of which wears, 10 N.
+/// A ball of 3 mm on a flat, one of them worn, 10 N.
 fn ball(wears: &str, coefficient: &str, motion: &str, options: &[&str]) -> Simulation {
     let text = r#"
         [body.ball]
@@ -55,7 +55,7 @@ fn only(found: &[Standard], name: &str, body: usize) -> Standard {
     *standard
 }
 
-/// How far a section, which goes by the third power of its width, may be off.
+/// How far a section, which depends on the third power of its width, may be off.
 fn within(width: f64, element: f64, hertz: f64) -> f64 {
     3.0 * (element / width + 2.0 * (hertz / width).powi(2))
 }

@@ -276,7 +276,7 @@ fn depths(outputs: &[(ContactState, Effort)]) -> Vec<f64> {
     outputs.iter().map(|(state, _)| depth(state)).collect()
 }
 
-/// How ripples count goes by whether wear is proportional to the pressure, by its law and by its friction. A volume follows
+/// How ripples count depends on whether wear is proportional to the pressure, by its law and by its friction. A volume follows
 /// from load and distance only where there is one coefficient.
 #[test]
 fn laws_tell_whether_they_are_proportional() {

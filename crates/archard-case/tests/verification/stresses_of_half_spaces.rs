@@ -104,7 +104,7 @@ fn a_case_puts_out_points_sections_and_the_largest_stresses() {
         let index = rows[0].iter().position(|known| *known == name).unwrap();
         rows[row][index].parse().unwrap()
     };
-    // Bodies alike share pressures, and friction draws them apart.
+    // Bodies of one kind share pressures, and friction draws them apart.
     assert!((column(1, "stress_zz_Pa") - column(2, "stress_zz_Pa")).abs() < 1.0);
     assert!((column(1, "stress_zx_Pa") + column(2, "stress_zx_Pa")).abs() < 1.0);
     assert!(column(1, "stress_zx_Pa") > 1e6);

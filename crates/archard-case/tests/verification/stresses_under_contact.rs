@@ -66,7 +66,7 @@ fn a_ball_stresses_the_inside_of_a_block_as_hertz_says() {
     assert!((away + 20e-6).abs() < 0.5e-6, "{away:e}");
 }
 
-/// Blocks alike share the approach, and so the stresses, though their meshes do not match: what acts on the
+/// Blocks of one kind share the approach, and so the stresses, though their meshes do not match: what acts on the
 /// second is brought there from the nodes of the first.
 #[test]
 fn stresses_in_both_bodies_are_those_of_each_other() {

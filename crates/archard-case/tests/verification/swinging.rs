@@ -47,7 +47,7 @@ fn volumes_follow_from_the_work() {
     assert!((0.96..0.99).contains(&slid), "{slid}");
 }
 
-/// Of amplitudes that are small beside the contact, what friction finds increment by increment on surfaces that stay is the
+/// Of amplitudes that are small against the contact, what friction finds increment by increment on surfaces that stay is the
 /// same: each pair slides by the amplitude less its own elastic displacement.
 #[test]
 fn pairs_slide_by_what_friction_leaves_them() {
@@ -225,7 +225,7 @@ fn bodies_that_stick_do_not_swing() {
     assert!(matches!(sticks, Error::NoGrossSlip { .. }), "{sticks}");
 }
 
-/// Where a case does not say how its surfaces meet, the amplitude beside the contact decides: its half width is 35.9 um.
+/// Where a case does not say how its surfaces meet, the amplitude relative to the contact decides: its half width is 35.9 um.
 #[test]
 fn surfaces_are_chosen_by_the_amplitude() {
     let swings = |options: &[&str]| {

@@ -149,7 +149,7 @@ fn bodies_and_axes_may_be_swapped() {
     }
 }
 
-/// All points on a line of the track are worn alike; those of the ball are not.
+/// All points on a line of the track are worn equally; those of the ball are not.
 #[test]
 fn what_passes_wears_alike_along_the_track() {
     let simulation = case(&text(1e-7, 5e-6, TRACK), &["motion.sliding.step=100 m"]);
@@ -252,7 +252,7 @@ fn along(text: &str, options: &[&str]) -> (Rows, Vec<(f64, f64)>) {
     (rows, means.into_iter().enumerate().map(section).collect())
 }
 
-/// While the wear is small beside the elastic approach, the pressures stay Hertz's: the section of a stroke L is k F s / L
+/// While the wear is small against the elastic approach, the pressures stay Hertz's: the section of a stroke L is k F s / L
 /// where all of the contact passes, half of it where the middle of the contact turns, and zero where it does not reach.
 #[test]
 fn a_stroke_ends_where_the_contact_turns() {

@@ -191,7 +191,7 @@ fn unlike_bodies_on_unequal_pairs() {
 
 /// A sphere pressed on a tilted plane, straight down, and then shifted on the way up: that is pressed and shifted on a level one. Pressures
 /// and tractions of like bodies are found together on the one and after one another on the other; they slip,
-/// wear and dissipate alike, and the force along x is the resultant of both, turned.
+/// wear and dissipate equally, and the force along x is the resultant of both, turned.
 #[test]
 fn a_tilted_plane_is_pressed_and_shifted() {
     const TILT: f64 = 0.06;

@@ -235,7 +235,7 @@ fn t_gamma_in_the_mild_regime_wears_by_the_work_of_the_creepage() {
     agree(&energy[1], &local[1], 1e-6);
 }
 
-/// The worn section converges as passages are divided into more elements, all of which slip by their own work.
+/// The worn section converges as passages are divided into more elements, which all slip by their own work.
 #[test]
 fn t_gamma_does_not_depend_on_how_passages_are_divided() {
     let depth = |elements: usize| {

@@ -66,7 +66,7 @@ fn volumes_stay_and_depths_are_those_of_one_frame() {
     }
 }
 
-/// Of a surface that passes, the groove goes on beside the smaller frame, along both axes.
+/// Of a surface that passes, the groove goes on next to the smaller frame, along both axes.
 #[test]
 fn grooves_go_on() {
     for along in ["x", "y"] {

@@ -180,7 +180,7 @@ fn windows_change_nothing() {
     }
 }
 
-/// A ball beside whose contact a second one stands back (m).
+/// A ball next to whose contact a second one stands back (m).
 #[derive(Debug)]
 struct Two(f64);
 

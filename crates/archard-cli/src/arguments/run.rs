@@ -35,7 +35,7 @@ impl Case {
         self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)))
     }
 
-    /// All settings, the last of which may be the accuracy.
+    /// All settings; the last may be the accuracy.
     pub fn settings(&self) -> Vec<String> {
         self.set.iter().cloned().chain(self.limits()).chain(self.accuracy()).collect()
     }

@@ -1,4 +1,4 @@
-//! Readings taken as a motion went on beside the history of a run.
+//! Readings taken as a motion went on next to the history of a run.
 
 use anyhow::{Context, Result, ensure};
 use archard::motion::Progress;

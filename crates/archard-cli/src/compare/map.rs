@@ -1,4 +1,4 @@
-//! A measured height map beside the worn surface of a run.
+//! A measured height map next to the worn surface of a run.
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{WORN_VOLUME, of_body};
@@ -15,7 +15,7 @@ use crate::plot::scale::Unit;
 use crate::plot::tables::{Axis, largest};
 use crate::report::quantity;
 
-/// The angle (rad) between a track and its map from which on their mean is none of the track: 2 degrees.
+/// The angle (rad) between a track and its map from which on their mean is not that of the track: 2 degrees.
 const ASKEW: f64 = 0.035;
 
 /// Compares the surface of a body with a height map; that of a track by its mean section.

@@ -1,4 +1,4 @@
-//! `archard compare`: a run beside measurements and other runs, or two scans of a surface, in numbers and as pictures.
+//! `archard compare`: a run next to measurements and other runs, or two scans of a surface, in numbers and as pictures.
 
 mod course;
 mod map;
@@ -119,7 +119,7 @@ pub fn run(
     Ok((words, files))
 }
 
-/// What came of comparing a run with each of the others, in words and as a picture, and what both have to say beside.
+/// What came of comparing a run with each of the others, in words and as a picture, and what both have to say besides.
 ///
 /// # Errors
 /// As [`run`].
@@ -168,7 +168,7 @@ pub(crate) fn of(
     })
 }
 
-/// A run beside a measured table.
+/// A run next to a measured table.
 fn measured(results: &Results, path: &Path, options: &Options) -> Result<Comparison> {
     let name = path.display().to_string();
     let bytes =
@@ -215,7 +215,7 @@ fn body(results: &Results, options: &Options) -> Result<usize> {
     let deepest =
         (0..results.bodies.len()).max_by(|one, other| depth(one).total_cmp(&depth(other)));
     let deepest = deepest.context("the run has no bodies")?;
-    // Of two that wear alike the first would be a guess.
+    // Of two that wear equally the first would be a guess.
     let others = (0..results.bodies.len()).filter(|body| *body != deepest);
     let alike =
         others.map(|body| depth(&body)).any(|other| other > 0.99 * depth(&deepest) && other > 0.0);

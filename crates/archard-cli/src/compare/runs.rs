@@ -1,4 +1,4 @@
-//! A run beside other runs.
+//! A run next to other runs.
 
 use std::path::{Path, PathBuf};
 

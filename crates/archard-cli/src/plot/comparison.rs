@@ -62,7 +62,7 @@ pub(crate) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
     }))
 }
 
-/// Refuses runs whose motions are not measured alike.
+/// Refuses runs whose motions are not measured equally.
 fn require_one_progress(runs: &[&Results], dirs: &[&Path]) -> Result<()> {
     let column = runs[0].progress().0;
     for (run, dir) in runs.iter().zip(dirs) {

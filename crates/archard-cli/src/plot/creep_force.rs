@@ -1,4 +1,4 @@
-//! The force on body 1 over the creepage, with the limit and a closed form beside it.
+//! The force on body 1 over the creepage, with the limit and a closed form next to it.
 
 use anyhow::Result;
 use archard::motion::Drive;

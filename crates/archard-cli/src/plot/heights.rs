@@ -24,7 +24,7 @@ pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
             lines.push((profile, line));
         }
     }
-    // Walls beside the scar say nothing of it.
+    // Walls next to the scar say nothing of it.
     let scar = scar(&sections, &results.bodies)?;
     let walled = scar > 0.0 && highest > WALL * scar;
     let highest = if walled { BESIDE_WALLS * scar } else { highest };

@@ -9,7 +9,7 @@ use super::scale::{Unit, phrase};
 /// Shares that have a name.
 const NAMED: [(f64, &str); 3] = [(0.01, "B1"), (0.1, "B10"), (0.5, "median")];
 
-/// The panel, of a run that tells more of its life than the median.
+/// The panel, of a run that gives more of its life than the median.
 pub(super) fn panel(results: &Results) -> Option<Panel> {
     let life = &results.summary["life"];
     let pair = |pair: &Value| Some((pair[1].as_f64()?, pair[0].as_f64()?));

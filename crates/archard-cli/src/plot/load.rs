@@ -1,4 +1,4 @@
-//! Load over approach, with Hertz beside it.
+//! Load over approach, with Hertz next to it.
 
 use anyhow::Result;
 use archard::simulation::history::{APPROACH, LOAD};
@@ -9,7 +9,7 @@ use super::results::Results;
 use super::scale::Unit;
 use super::tables::{largest, size};
 
-/// The load over the approach of the bodies; nothing where there is none.
+/// The load over the approach of the bodies; nothing where none exists.
 pub(crate) fn panel(results: &Results) -> Result<Option<Panel>> {
     let load = results.history.column(LOAD)?;
     let approach = results.history.column(APPROACH)?;

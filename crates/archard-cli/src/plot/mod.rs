@@ -109,7 +109,7 @@ pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<
     write(dir, pictures, (mark.as_deref(), paper))
 }
 
-/// The pictures that make sense for a folder, and what they have to say beside what they show.
+/// The pictures that make sense for a folder, and what they have to say besides what they show.
 ///
 /// # Errors
 /// If there is nothing to draw, or it cannot be compared.
@@ -144,7 +144,7 @@ pub(crate) fn pictures(
 /// Draws the pictures of a study of these columns of the history; returns their files.
 ///
 /// # Errors
-/// If the folder is none of a study, or its rows have no such column.
+/// If the folder is not that of a study, or its rows have no such column.
 pub fn of_study(dir: &Path, columns: &[String], paper: &Paper) -> anyhow::Result<Vec<PathBuf>> {
     ensure!(study::is_one(dir), "--quantity is what the pictures of a study show");
     study::run(dir, columns, paper)
@@ -187,7 +187,7 @@ pub(crate) fn panels_of_study(dir: &Path) -> anyhow::Result<(Vec<Named>, Option<
     Ok((pictures.into_iter().map(|picture| (picture.name, picture.panels)).collect(), mark))
 }
 
-/// The wear of a run beside that of others.
+/// The wear of a run next to that of others.
 ///
 /// # Errors
 /// If one of them is no result folder, or they cannot be compared.

@@ -69,7 +69,7 @@ fn below(points: Vec<(f64, f64)>, top: f64) -> Vec<(f64, f64)> {
     points.into_iter().map(|(x, y)| (x, y.min(top))).collect()
 }
 
-/// The view of sections within a window, with the outputs named beside them.
+/// The view of sections within a window, with the outputs named next to them.
 pub(crate) fn along_axis(view: View, results: &Results, window: [f64; 2]) -> View {
     view.along_x(window).legend_title(phrase(results.progress().0))
 }
@@ -89,7 +89,7 @@ fn hertz(results: &Results, axis: Axis, window: [f64; 2]) -> Result<Option<Vec<(
     Ok(Some(places.map(|x| (x, pressure(x))).collect()))
 }
 
-/// The pressure over the frame at the last output, white where there is none; of meshed bodies on their own elements.
+/// The pressure over the frame at the last output, white where none exists; of meshed bodies on their own elements.
 pub(crate) fn map(results: &Results) -> Result<Panel> {
     let windows = [results.map_window(Axis::X)?, results.map_window(Axis::Y)?];
     let (across, unit) = (Unit::across(reach(windows[0]).max(reach(windows[1]))), Unit::pressure());

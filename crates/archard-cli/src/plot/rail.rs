@@ -11,7 +11,7 @@ use super::results::{mark, read_summary};
 use super::rows::Rows;
 use super::{OVERVIEW, Picture};
 
-/// How many times a worn depth is drawn, at most, so that it is seen beside its profile: the largest of these that leaves it below
+/// How many times a worn depth is drawn, at most, so that it is seen next to its profile: the largest of these that leaves it below
 /// a tenth of the height.
 const MAGNIFIED: [f64; 7] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 
@@ -105,7 +105,36 @@ impl Rail {
         let labels =
             ["Peak pressures of all patches", "y on the wheel (mm)", "Peak pressure (MPa)"];
         panels.push(curves.panel(labels, |view| view.above_y(0.0)));
+        panels.push(self.shakedown(&states));
         panels
+    }
+
+    /// The shakedown map: the largest pressure of each patch, over the yield stress in shear, and the friction that it uses.
+    fn shakedown(&self, states: &[String]) -> Panel {
+        let mut curves = Curves::new();
+        let limit = (0..=50).map(|step| 1e-2 * f64::from(step));
+        let limit = limit.map(|friction| (friction, 1.0 / friction.max(0.25)));
+        curves.add(limit, Pen::line(COLOURS[0]), Some("limit"));
+        for (state, colour) in states.iter().zip([COLOURS[1], COLOURS[2]]) {
+            let own =
+                if state.is_empty() { None } else { Some(self.contacts.with("profiles", state)) };
+            let own = own.as_ref().unwrap_or(&self.contacts);
+            let column = |name: &str| own.numbers(name, 1.0).into_iter();
+            let forces = column("force_x_N").zip(column("force_s_N")).zip(column("normal_force_N"));
+            let used = forces.map(|((x, s), normal)| x.hypot(s) / normal);
+            // The index is the friction used less the yield stress over the pressure.
+            let points = used.zip(column("surface_fatigue_index"));
+            let points = points.map(|(used, index)| (used, 1.0 / (used - index)));
+            let points = points.filter(|(used, over)| used.is_finite() && over.is_finite());
+            let legend = (!state.is_empty()).then(|| format!("{state} profiles"));
+            curves.mark(points, colour, legend.as_deref());
+        }
+        let labels = [
+            "Shakedown: above the line the steel flows at every passage",
+            "Tangential over normal force",
+            "Peak pressure over yield stress in shear",
+        ];
+        curves.panel(labels, |view| view.above_y(0.0))
     }
 
     /// Depths over the profiles with their errors, and the profiles with their wear magnified.
@@ -114,6 +143,7 @@ impl Rail {
         for body in self.wear.words("body") {
             let of_body = self.wear.with("body", &body);
             let mut depths = Curves::new();
+            let mut damage = Curves::new();
             let mut shapes = Curves::new();
             let mut factor = 1.0;
             for (index, side) in of_body.words("side").iter().enumerate() {
@@ -126,6 +156,15 @@ impl Rail {
                 depths.band(band, PALE[1 + index % 2], 0.6, Some(&format!("{side}, error")));
                 let line = y.iter().copied().zip(depth.iter().copied());
                 depths.add(line, Pen::line(COLOURS[1 + index % 2]), Some(side));
+                let cracked = own.numbers("crack_damage", 1.0);
+                if cracked.iter().any(|value| !value.is_nan()) {
+                    let errors = own.numbers("error_of_crack_damage", 1.0);
+                    let band = y.iter().zip(cracked.iter().zip(&errors));
+                    let band = band.map(|(y, (value, error))| [*y, value - error, value + error]);
+                    damage.band(band, PALE[1 + index % 2], 0.6, Some(&format!("{side}, error")));
+                    let line = y.iter().copied().zip(cracked);
+                    damage.add(line, Pen::line(COLOURS[1 + index % 2]), Some(side));
+                }
                 let z = own.numbers("z_m", -1e3);
                 let [y_worn, z_worn] =
                     [("y_worn_m", 1e3), ("z_worn_m", -1e3)].map(|(name, by)| own.numbers(name, by));
@@ -149,6 +188,9 @@ impl Rail {
             let across = format!("y on the {body} (mm)");
             let title = format!("Depth worn off the {body}");
             panels.push(depths.panel([&title, &across, "Depth (mm)"], |view| view.above_y(0.0)));
+            let title = format!("Damage of the {body} by cracks: at 1 one is expected");
+            let damage = damage.panel([&title, &across, "Damage"], |view| view.above_y(0.0));
+            panels.extend((!damage.marks.is_empty()).then_some(damage));
             let title = match factor {
                 1.0 => format!("The {body}, new and worn"),
                 _ => format!("The {body}, new and worn, its wear {factor} times as large"),

@@ -161,12 +161,12 @@ impl Results {
         Unit::of_column(column, largest(values))
     }
 
-    /// Whether there is one element along an axis only, of which a section shows nothing.
+    /// Whether there is one element along an axis only, so that a section shows nothing.
     pub(crate) fn is_one_element(&self, axis: Axis) -> bool {
         self.image.as_ref().is_some_and(|image| image.elements[axis.index()] == 1)
     }
 
-    /// The axes of which sections show something: all of them, or that across a line of contact.
+    /// The axes whose sections show something: all of them, or that across a line of contact.
     pub(crate) fn shown_axes(&self) -> Vec<Axis> {
         [Axis::X, Axis::Y].into_iter().filter(|axis| !self.is_one_element(*axis)).collect()
     }
@@ -188,7 +188,7 @@ impl Results {
         Some(if motion.direction.axis == 1 { Axis::Y } else { Axis::X })
     }
 
-    /// The axis along which the surface of a body passes, and is worn alike.
+    /// The axis along which the surface of a body passes, and is worn equally.
     pub(crate) fn passes(&self, body: usize) -> Option<Axis> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
         let (along, _) = motion.grooves().filter(|(_, bodies)| bodies[body])?;
@@ -418,7 +418,7 @@ pub(super) fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
     }
 }
 
-/// What pictures have to say beside what they show: that a run is incomplete or its result doubtful or wrong.
+/// What pictures have to say besides what they show: that a run is incomplete or its result doubtful or wrong.
 pub(super) fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
     let Some(summary) = summary else { return Some("incomplete: the run has not ended".into()) };
     let verdict = &summary.get("verdict").unwrap_or(&Value::Null);

@@ -5,7 +5,7 @@ use archard::motion::Progress;
 /// A unit and how many of it are in one SI unit.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Unit {
-    /// As shown beside an axis; empty for pure numbers.
+    /// As shown next to an axis; empty for pure numbers.
     pub(crate) name: String,
     /// Factor from SI.
     pub(crate) factor: f64,

@@ -137,7 +137,7 @@ fn read_rows(
     Ok(())
 }
 
-/// A cell as a number; an empty one is none.
+/// A cell as a number; an empty one is not a number.
 fn number(cell: &str) -> anyhow::Result<f64> {
     if cell.is_empty() {
         return Ok(f64::NAN);

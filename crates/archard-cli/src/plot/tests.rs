@@ -149,7 +149,7 @@ fn drawn(dir: &Path) -> Vec<String> {
     drawn_with(dir, &[])
 }
 
-/// The same, with other runs beside it.
+/// The same, with other runs next to it.
 fn drawn_with(dir: &Path, others: &[PathBuf]) -> Vec<String> {
     let files = run(dir, others, &Paper::default()).unwrap();
     for file in &files {

@@ -1,5 +1,5 @@
 //! Depth and volume of wear, in rolling its depth and section, over the progress of the motion, with
-//! the closed form beside them; in fretting, where it ends.
+//! the closed form next to them; in fretting, where it ends.
 
 use anyhow::Result;
 use archard::closed_form::pin_on_disc;

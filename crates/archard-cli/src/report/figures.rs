@@ -232,7 +232,7 @@ fn columns(points: &Points) -> (Vec<f64>, Vec<Value>) {
     shown.map(|(_, (x, y))| (rounded(*x), number(*y))).unzip()
 }
 
-/// A number, or nothing where there is none.
+/// A number, or nothing where none exists.
 fn number(value: f64) -> Value {
     if value.is_finite() { json!(rounded(value)) } else { Value::Null }
 }
@@ -268,7 +268,7 @@ fn words(panel: &Panel) -> String {
         };
         parts.push(format!("{legend}: from {} to {}{most}", plain(first.1), plain(last.1)));
     }
-    // Many sections begin and end alike: their values are seen, not told.
+    // Many sections begin and end equally: their values are seen, not told.
     if parts.len() > 4 {
         return format!("{y} over {x}, {} curves.", parts.len());
     }

@@ -225,7 +225,7 @@ struct Seen {
     edges: [[f64; 2]; 2],
     /// Columns and rows.
     shape: [usize; 2],
-    /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 beside them.
+    /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 next to them.
     shown: Option<Vec<i32>>,
     /// Whether some outputs were on other elements.
     resampled: bool,
@@ -297,7 +297,7 @@ impl Seen {
 }
 
 impl Packed {
-    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit; the least of them is none.
+    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit; the least of them stands for a hole.
     fn packed(&self) -> Value {
         let most = self.outputs.iter().map(|values| size(values)).fold(0.0, f64::max);
         let step = if most > 0.0 { most / WHOLE } else { 1.0 };

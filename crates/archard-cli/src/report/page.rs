@@ -126,7 +126,7 @@ fn packed(bytes: &[u8]) -> Vec<u8> {
     written.unwrap_or_default()
 }
 
-/// The top of a page: what it is about, whether it can be believed, what is read first beside a picture, and the contents.
+/// The top of a page: what it is about, whether it can be believed, what is read first next to a picture, and the contents.
 pub(super) struct Header<'a> {
     /// What the page is about: "contact and wear".
     pub(super) about: &'static str,

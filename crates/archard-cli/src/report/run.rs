@@ -89,7 +89,7 @@ impl Run<'_> {
         header.html(&sections.there)
     }
 
-    /// The figure that is seen first: the first curve, or a map where there is none.
+    /// The figure that is seen first: the first curve, or a map where none exists.
     fn first_picture(&self) -> Html {
         let curves = self.figures.iter().flat_map(|(_, _, figures)| figures);
         let maps = self.maps.iter().flat_map(|maps| maps.pictures.iter().map(|(_, map)| map));

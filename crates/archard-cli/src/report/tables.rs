@@ -1,4 +1,4 @@
-//! What a run came to, in tables: its numbers, its verdict, and closed forms beside both.
+//! What a run came to, in tables: its numbers, its verdict, and closed forms next to both.
 
 use archard::closed_form::Hertz;
 use archard::motion::Control;
@@ -81,7 +81,7 @@ fn states_errors(results: &Results) -> bool {
 /// Units of forces and moments.
 const FORCES: [&str; 2] = ["N", "Nm"];
 
-/// What is nothing but rounding in a column: a force (N) or moment (N m) under the load, a component beside the other.
+/// What is nothing but rounding in a column: a force (N) or moment (N m) under the load, a component next to the other.
 fn rounding(results: &Results, name: &str, unit: &str) -> f64 {
     let column = |name: &str| results.history.column(name).unwrap_or_default();
     if FORCES.contains(&unit) {
@@ -226,7 +226,7 @@ pub(super) fn verdict(summary: &Value) -> Table {
     }
 }
 
-/// A closed form beside what was computed.
+/// A closed form next to what was computed.
 struct Pair<'a> {
     what: String,
     theory: &'static str,
@@ -252,7 +252,7 @@ impl Pair<'_> {
     }
 }
 
-/// Every closed form that is known of the run beside what came of it.
+/// Every closed form that is known of the run next to what came of it.
 pub(super) fn closed_forms(results: &Results) -> Table {
     let mut pairs = Vec::new();
     contact(results, &mut pairs);
@@ -268,7 +268,7 @@ pub(super) fn closed_forms(results: &Results) -> Table {
     }
 }
 
-/// Hertz's contact beside the unworn one.
+/// Hertz's contact next to the unworn one.
 fn contact(results: &Results, pairs: &mut Vec<Pair<'_>>) {
     if results.closed_form["hertz"].is_null() {
         return;

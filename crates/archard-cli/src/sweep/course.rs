@@ -1,6 +1,6 @@
 //! The steps of a run that histories derived from it keep.
 //!
-//! A run that tells many rows ends a step where each of them ends. Histories of all these steps would take the square of the
+//! A run that gives many rows ends a step where each of them ends. Histories of all these steps would take the square of the
 //! number of rows on disk. A row keeps the steps at its outputs, its end, and those that the course of the wear depth takes:
 //! straight lines between the steps that are kept tell the depth in between to a share that no picture shows.
 

@@ -125,7 +125,7 @@ fn begin(study: &Path, design: &Design, inputs: Inputs) -> Result<(), Failure> {
 /// The files of the design.
 const DESIGN: &str = "design.csv";
 const STUDY: &str = "study.json";
-/// All files of a study beside those of its rows.
+/// All files of a study besides those of its rows.
 const FILES: [&str; 3] = [DESIGN, STUDY, table::SWEEP];
 
 /// Runs groups of rows, some at once.
@@ -193,7 +193,7 @@ fn line(design: &Design, study: &Path, index: usize, outcome: &Outcome) -> Strin
     }
 }
 
-/// Says what came of the study; fails where one of its own rows did, or did not run. All rows are told beside them.
+/// Says what came of the study; fails where one of its own rows did, or did not run. All rows are told next to them.
 fn conclude(
     arguments: &Sweep,
     [own, all]: [Vec<Status>; 2],

@@ -20,7 +20,7 @@ use super::row::{self, Following, Outcome};
 use crate::interrupt::Requests;
 use archard::numerics::SAME;
 
-/// Rows that one run tells.
+/// Rows that one run gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shared {
     /// The rows by number from zero on, by rising coefficient; the last one is run.
@@ -36,7 +36,7 @@ impl Shared {
     }
 }
 
-/// Some of the rows, those together that one run tells, by their first row.
+/// Some of the rows, those together that one run gives, by their first row.
 pub fn group(rows: &[Row], which: &[usize], separate: bool) -> Vec<Shared> {
     let mut kinds: HashMap<String, Vec<(f64, usize)>> = HashMap::new();
     let mut groups = vec![];

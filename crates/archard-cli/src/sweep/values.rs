@@ -87,7 +87,7 @@ fn range(first: &str, last: &str, count: &str) -> Result<Vec<String>, String> {
 /// The distribution of `normal(mean, deviation)`, `lognormal(median, deviation of the logarithm)` or `uniform(from, to)`.
 ///
 /// # Errors
-/// In words, if the text is none of these or its values do not make one.
+/// In words, if the text is not one of these or its values do not make one.
 pub fn distribution(text: &str) -> Result<Distribution, String> {
     let known = "normal(10 N, 1 N), lognormal(10 N, 0.2) or uniform(5 N, 20 N)";
     let malformed = || format!("`{text}`: write a distribution like {known}");

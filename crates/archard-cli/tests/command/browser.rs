@@ -1,6 +1,6 @@
 //! A browser without a window, driven over the DevTools protocol.
 //!
-//! Chromium is looked for under its usual names. Where there is none, tests say so and end, unless
+//! Chromium is looked for under its usual names. Where none exists, tests say so and end, unless
 //! `ARCHARD_BROWSER=required`.
 
 use std::io::{BufRead, BufReader};

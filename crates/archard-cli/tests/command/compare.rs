@@ -34,7 +34,7 @@ fn number(text: &str, name: &str) -> f64 {
     words.filter_map(|word| word.trim_end_matches(',').parse().ok()).next().unwrap()
 }
 
-/// The worn pin along x, with the sphere beside the frame, shifted by 0.4 mm, tilted by 2 um/mm and 30 um high, in the
+/// The worn pin along x, with the sphere next to the frame, shifted by 0.4 mm, tilted by 2 um/mm and 30 um high, in the
 /// units and with the commas of a German instrument; the pin's own depth times a factor.
 fn profile(dir: &TempDir, factor: f64) -> String {
     let path = dir.path().join("pin_on_disc/profiles.csv");

@@ -111,7 +111,7 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     assert!(!out.join("points.csv").exists() && !out.join("surface_2.vtu").exists());
 }
 
-/// A section and a point: what every traction makes of the body is kept beside its compliance, so that a second run solves
+/// A section and a point: what every traction makes of the body is kept next to its compliance, so that a second run solves
 /// nothing and writes the same bits.
 #[test]
 fn sections_are_put_out_and_shown_in_paraview() {

@@ -135,7 +135,7 @@ fn a_prediction_says_what_no_test_has_told() {
     fs::write(dir.path().join("fit.json"), fit).unwrap();
     let coarse = ["--set", "frame.elements=[16, 16]", "--set", "motion.sliding.step=50 mm"];
     let predict = ["sweep", case, "--from", "fit.json", "--samples", "3", "-o", "study"];
-    // The built-in case of that name wears alike.
+    // The built-in case of that name wears equally.
     let by_name = [&["sweep", "pin_on_disc_both"], &predict[2..]].concat();
     let predict = [&predict[..], &coarse].concat();
     let refused = said(&archard(&dir, &by_name).code(2));

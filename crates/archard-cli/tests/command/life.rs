@@ -102,7 +102,7 @@ fn a_coefficient_that_a_life_does_not_fall_with_is_no_scatter_of_it() {
     assert!(life(&dir, "r")["distribution"]["B10"].is_null(), "{words}");
 }
 
-/// One test tells no scatter; another body needs its key; a body that nobody fitted is asked for.
+/// One test gives no scatter; another body needs its key; a body that nobody fitted is asked for.
 #[test]
 fn what_is_not_told_is_said() {
     let dir = TempDir::new().unwrap();

@@ -363,7 +363,7 @@ fn a_summary_that_is_none_is_refused() {
     archard(&dir, &["plot", "out"]).success();
 }
 
-/// Files that stand beside those for ParaView stay, those it wrote are replaced, and no name from a file leads out of
+/// Files that stand next to those for ParaView stay, those it wrote are replaced, and no name from a file leads out of
 /// its folder.
 #[test]
 fn paraview_writes_within_its_folder_and_replaces_its_own_files() {
@@ -399,7 +399,7 @@ fn paraview_writes_within_its_folder_and_replaces_its_own_files() {
     assert_eq!(fs::read_dir(dir.path().join("victim")).unwrap().count(), 0);
 }
 
-/// Whatever is asked for as a file and is none is refused by what it is.
+/// Whatever is asked for as a file and is not one is refused by what it is.
 #[cfg(unix)]
 #[test]
 fn what_is_no_file_is_refused_by_its_kind() {

@@ -230,7 +230,7 @@ fn wrong_studies_are_refused() {
     assert!(said(&refused).contains("two bodies in contact"), "{}", said(&refused));
 }
 
-/// Frames of rows grow with their contact, also where one run tells several.
+/// Frames of rows grow with their contact, also where one run gives several.
 #[test]
 fn frames_of_rows_grow_with_their_contact() {
     let dir = TempDir::new().unwrap();

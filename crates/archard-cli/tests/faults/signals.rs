@@ -139,7 +139,7 @@ fn interrupted(options: &[&str], what: &str, there: impl Fn(&Path) -> bool) -> (
     (ended, asked.elapsed())
 }
 
-/// Rows that one run tells are written one after the other, and what is not written is left.
+/// Rows that one run gives are written one after the other, and what is not written is left.
 #[test]
 fn a_signal_ends_the_writing_of_derived_rows() {
     let k = "body.pin.wear.archard.coefficient=lognormal(1e-13 1/Pa, 0.2)";

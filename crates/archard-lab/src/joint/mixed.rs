@@ -156,7 +156,7 @@ pub fn variances(tests: &[Rows], from: &Variances, stated: bool) -> Variances {
         let mut largest = 0.0_f64;
         let mut by = |values: &mut [f64], factors: &[f64], most: f64| {
             for (value, factor) in values.iter_mut().zip(factors) {
-                // What has vanished beside the others has settled.
+                // What has vanished against the others has settled.
                 if *value > 1e-9 * most {
                     largest = largest.max((factor - 1.0).abs());
                 }

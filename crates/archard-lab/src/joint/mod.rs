@@ -1,4 +1,4 @@
-//! Several coefficients of one model from the same tests, each of which need not tell them all.
+//! Several coefficients of one model from the same tests; a single test need not give them all.
 //!
 //! Least squares of all readings find the medians first. Then each test has coefficients of its own, which scatter about them: the
 //! model is linearised where each test is (M. J. Lindstrom and D. M. Bates, Biometrics 46 (1990) 673), and [`mixed`] and [`robust`]

@@ -18,7 +18,7 @@ pub struct Covariance {
     pub matrix: Matrix,
     /// Degrees of freedom of each.
     pub degrees: Vec<f64>,
-    /// A test that alone tells a coefficient: the places of both.
+    /// A test that alone gives a coefficient: the places of both.
     pub alone: Option<(usize, usize)>,
 }
 

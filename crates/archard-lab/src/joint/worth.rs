@@ -44,7 +44,7 @@ impl Joint {
         Fitted::of(&rows, &self.variances).change
     }
 
-    /// The exponent of something, by its logarithm at each reading of each test, that all coefficients go by beside the law.
+    /// The exponent of something, by its logarithm at each reading of each test, that all coefficients go by besides the law.
     fn exponent(&self, law: f64, logs: &[Vec<f64>]) -> Option<Exponent> {
         let all = || logs.iter().flatten();
         let middle = all().sum::<f64>() / all().count() as f64;
@@ -70,7 +70,7 @@ impl Joint {
         })
     }
 
-    /// Each coefficient by itself: what is uncertain in all tests alike is common to each.
+    /// Each coefficient by itself: what is uncertain in all tests equally is common to each.
     pub fn estimates(&self, tests: &[Test], commons: &[Vec<Common>]) -> Vec<Estimate> {
         let far = |test: &Test| test.readings.iter().map(|own| own.progress.ln()).collect();
         let distance = self.exponent(1.0, &tests.iter().map(far).collect::<Vec<_>>());

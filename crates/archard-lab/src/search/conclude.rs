@@ -1,4 +1,4 @@
-//! What follows once the coefficients have settled: what is uncertain in all tests alike, and what is shown.
+//! What follows once the coefficients have settled: what is uncertain in all tests equally, and what is shown.
 
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ const COUPLED: f64 = 0.1;
 /// A coefficient so many times that of the case is remarked upon.
 const FAR: f64 = 100.0;
 
-/// A standard uncertainty that is not smaller, relative, is none to change a value by.
+/// A standard uncertainty that is not smaller, relative, does not change a value.
 const MOST: f64 = 0.5;
 
 /// Standard uncertainty of a median, relative.
@@ -163,7 +163,7 @@ impl Search<'_> {
         quantities.map(shown).collect()
     }
 
-    /// What is taken from the case though no reading tells it.
+    /// What is taken from the case though no reading gives it.
     pub(super) fn assumed(&self) -> impl Iterator<Item = String> {
         self.others.iter().map(|(key, value, unit)| {
             format!(

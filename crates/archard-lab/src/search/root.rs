@@ -1,4 +1,4 @@
-//! The root of a function of which each value costs runs: bracketed, then narrowed.
+//! The root of a function whose every value costs runs: bracketed, then narrowed.
 //!
 //! The Illinois method (Dowell & Jarratt, BIT 11 (1971) 168): the secant through both ends of the bracket, where an end that
 //! stays counts by half its value. A step that has not halved the bracket in three goes to its middle, so that rounding and

@@ -1,6 +1,6 @@
 //! Rounds of runs: each with coefficients, lengths and steps by what the last one found.
 //!
-//! Where the worn state follows from k s, one run that goes as far as the readings tells one coefficient. Where both are sought,
+//! Where the worn state follows from k s, one run that goes as far as the readings gives one coefficient. Where both are sought,
 //! their ratio is the unknown: readings tell a ratio of their own at each that is run, and the one is sought at which both
 //! agree.
 
@@ -11,7 +11,7 @@ use super::{Search, of_load};
 /// Rounds of runs at most: four halve a bracket, so that this is one of a factor of 40 narrowed to 4 %.
 pub(super) const ROUNDS: usize = 25;
 /// How closely the ratio of both coefficients is sought: relative to their standard uncertainty, to which a tenth adds half a
-/// per cent; where nothing tells that one, as closely as coefficients are printed.
+/// per cent; where nothing says that one, as closely as coefficients are printed.
 const OF_UNCERTAINTY: f64 = 0.1;
 const PRINTED: f64 = 1e-3;
 /// Part of a run beyond its end that readings may reach into before the run is made longer.

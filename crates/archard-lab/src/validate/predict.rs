@@ -125,7 +125,7 @@ impl<'a> Prediction<'a> {
         )
     }
 
-    /// The coefficient for a test, or why there is none.
+    /// The coefficient for a test, or why none exists.
     fn coefficient(&mut self, name: &str) -> Result<Result<Coefficient, String>, Error> {
         if let Some(given) = &self.set.coefficient {
             let half = factor(MANY) * given.uncertainty;

@@ -80,7 +80,7 @@ impl Set {
     /// The sets in a folder, or the one that it is, by name.
     ///
     /// # Errors
-    /// As [`Set::read`], or if there is none.
+    /// As [`Set::read`], or if none exists.
     pub fn all(dir: &Path) -> Result<Vec<Self>, String> {
         if dir.join(FILE).is_file() {
             return Ok(vec![Self::read(dir)?]);

@@ -98,7 +98,7 @@ fn scar(file: &CaseFile, body: usize) -> f64 {
     scar.1
 }
 
-/// One coefficient takes one run that is long enough and what tells its errors. The diameter goes by the fourth root of k or
+/// One coefficient takes one run that is long enough and what gives its errors. The diameter depends on the fourth root of k or
 /// less: 2 % of k is half a per cent of it.
 #[test]
 fn a_pin_is_fitted_by_the_diameter_of_its_scar() {

@@ -88,7 +88,7 @@ fn what_cannot_be_fitted_is_told_with_its_line() {
     assert!(error.contains("is no number in the case"), "{error}");
 }
 
-/// Poisson's ratio hardly changes any depth: no reading tells it.
+/// Poisson's ratio hardly changes any depth: no reading gives it.
 #[test]
 fn a_parameter_that_the_data_cannot_tell_is_refused() {
     let file = published("pin_on_disc", &["motion.sliding.step=\"25 mm\""]);
@@ -142,7 +142,7 @@ fn hostile_tables_are_told() {
         pasted.to_string().contains("the tests `A` and `B` have the same readings"),
         "{pasted}"
     );
-    // One reading tells k, and nothing of its error.
+    // One reading gives k, and nothing of its error.
     let one = whole("\u{feff}Test;Distance [mm];Volume / mm^3\nA;400;0,00056\n");
     assert_eq!(one.coefficients[0].estimate.interval, None);
     assert!(one.to_string().contains("without an interval"), "{one}");

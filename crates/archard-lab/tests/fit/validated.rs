@@ -19,7 +19,7 @@ fn validated(name: &str) -> Validated {
     found
 }
 
-/// Three worn blocks: sections by a plane through what lies beside the scars, by hand; depth and width of each predicted by the others.
+/// Three worn blocks: sections by a plane through what lies next to the scars, by hand; depth and width of each predicted by the others.
 #[test]
 fn worn_blocks_are_predicted_by_each_other() {
     let found = validated("cruzado");

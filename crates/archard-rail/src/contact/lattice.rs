@@ -21,7 +21,7 @@ pub(super) struct Lattice {
 
 impl Lattice {
     /// The grid over the rectangle that holds the overlap: so many elements along x, and along s as many over the widest
-    /// stretch. Pressures open gaps, so that nothing touches beside the overlap.
+    /// stretch. Pressures open gaps, so that nothing touches next to the overlap.
     ///
     /// # Errors
     /// If the wheel or the rail ends within it, or its stretches are too narrow for their distance.

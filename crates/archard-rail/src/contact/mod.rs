@@ -9,7 +9,7 @@
 //! All of it is solved on three grids, each of elements half the size of those before. Errors of rolling contact are of
 //! first order or higher in the size, so that a halving changes a value by what is left after it, or by more. The error that is
 //! told is the last change, or half the one before where that is larger, and the share of the load that is not met. It holds for the grid, not for the
-//! profiles, nor for the plane: [`Patch::angle_spread`] tells how far a patch bends. The onset depends on no grid.
+//! profiles, nor for the plane: [`Patch::angle_spread`] says how far a patch bends. The onset depends on no grid.
 
 mod apart;
 mod error;

@@ -7,8 +7,8 @@ use crate::setup::{Attitude, Setup, Side};
 /// Secants in which it is.
 const MOST: usize = 12;
 
-/// The roll (rad) at which both wheels carry the load of the operation at one height of the wheelset, for alike wheels on
-/// alike rails; the operation is that of the right side, and its own roll does not count.
+/// The roll (rad) at which both wheels carry the load of the operation at one height of the wheelset, for equal wheels on
+/// equal rails; the operation is that of the right side, and its own roll does not count.
 ///
 /// # Errors
 /// As [`contact`], and if there is no such roll near that at which both wheels begin to touch.

@@ -9,7 +9,7 @@ use super::{Bodies, ContactError, Loaded, Operation, Patch, Quantities, Resoluti
 use crate::profile::Profile;
 use crate::setup::Setup;
 
-/// Groups of points, each of which is left out once. A choice: more take longer, and leave their spread surer.
+/// Groups of points, each left out once. A choice: more take longer, and leave their spread surer.
 pub const GROUPS: usize = 4;
 /// Student's t that 95 % of all means of as many groups lie within, with one degree of freedom less than groups.
 const STUDENT: f64 = 3.182;

@@ -27,7 +27,7 @@ struct Bound {
 
 impl Keys {
     fn new() -> Self {
-        // A least bound above the largest one is none, as SIMPACK writes it.
+        // A least bound above the largest one does not count, as SIMPACK writes it.
         let bounds = [1.0, 0.0, 1.0, 0.0].map(|value| Bound { value, line: 1 });
         Self { shift: [0.0; 2], mirror: [false; 2], inversion: false, unit: 1.0, bounds }
     }

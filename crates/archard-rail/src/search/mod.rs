@@ -143,7 +143,7 @@ impl<'a> Search<'a> {
         found.unwrap_or(self.locus[best])
     }
 
-    /// The gap (m) at a place on the wheel, infinite where there is none.
+    /// The gap (m) at a place on the wheel, infinite where none exists.
     fn gap_at(&self, along: f64) -> f64 {
         self.possible(along).map_or(f64::INFINITY, |possible| possible.gap)
     }

@@ -1,4 +1,4 @@
-//! The two sides of the track, of which the left one is the mirror image of the right one.
+//! The two sides of the track: the left one is the mirror image of the right one.
 
 use glam::DVec3;
 

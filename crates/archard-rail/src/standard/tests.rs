@@ -16,7 +16,7 @@ fn the_wheel_has_no_steps() {
     assert_eq!([61e-3, -70.1e-3, f64::NAN].map(wheel_s1002_depth), [None; 3]);
 }
 
-/// The last arc ends 36 mm beside the middle, 14.3 mm below the top: the drawing's digits.
+/// The last arc ends 36 mm next to the middle, 14.3 mm below the top: the drawing's digits.
 #[test]
 fn the_rail_ends_where_it_is_drawn() {
     let rail = rail_60e1(1e-4).unwrap();

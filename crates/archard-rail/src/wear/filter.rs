@@ -1,7 +1,7 @@
 //! A low pass for what is worn off a profile, which keeps the volume and takes nothing below zero.
 //!
 //! Depths diffuse for two implicit steps along the profile, so that a wave of number k keeps 1/(1 + (l k)^2)^2 of its
-//! height; l is such that this is a half at the wavelength asked for. The matrix of a step has no positive element beside its
+//! height; l is such that this is a half at the wavelength asked for. The matrix of a step has no positive element besides its
 //! diagonal and sums of rows that are the weights: depths stay positive and the sum of volumes is kept.
 
 /// The low pass over the points of a profile.

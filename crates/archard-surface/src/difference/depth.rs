@@ -1,7 +1,7 @@
 //! The greatest depth.
 //!
 //! The maximum of a polynomial of the fourth degree that is fitted around the deepest place: one of the second leaves the fourth powers of a
-//! bowl. Noise alone has a maximum, too. Where noise may have set more of the bottom apart than the polynomial covers, nothing tells
+//! bowl. Noise alone has a maximum, too. Where noise may have set more of the bottom apart than the polynomial covers, nothing gives
 //! whether it is flat, at its mean, or round, at that maximum: the depth lies between.
 
 use crate::fit::Normal;

@@ -17,7 +17,7 @@ const CUT: f64 = 4.0;
 const LEAST: f64 = 0.02;
 /// Steps of the first fit, at most, and of those after it, which start near the end.
 const STEPS: [usize; 2] = [40, 4];
-/// A change of the shift by that share of a pixel is none.
+/// A change of the shift by that share of a pixel does not count.
 const STILL: f64 = 1e-4;
 /// A step moves corners by no more than so many pixels: slopes are known to about that.
 const STRIDE: f64 = 1.5;

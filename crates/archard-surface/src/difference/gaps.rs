@@ -137,7 +137,7 @@ impl Gaps {
         map.of_heights(heights)
     }
 
-    /// The weights of points around in a sum over the gaps, of which each point has its own.
+    /// The weights of points around in a sum over the gaps: each point has its own.
     pub(super) fn weights(&self, own: &[f64]) -> Vec<f64> {
         let factors = self.solved(self.points.iter().map(|&at| own[at]).collect());
         let mut weights = vec![0.0; self.slot.len()];

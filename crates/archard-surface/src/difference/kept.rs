@@ -16,7 +16,7 @@ pub(super) const MOST: f64 = 0.1;
 pub(super) struct Kept {
     /// Variance of the difference over that of both textures, each without noise.
     pub(super) share: f64,
-    /// Whether noise hides the texture, so that nothing tells the place, and the place matters little.
+    /// Whether noise hides the texture, so that nothing gives the place, and the place matters little.
     pub(super) hidden: bool,
 }
 

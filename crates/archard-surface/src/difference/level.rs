@@ -115,7 +115,7 @@ fn through(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Option<(f64, [f64; 2])> 
 mod tests {
     use super::densest;
 
-    /// A plane of which 45 % or 75 % lie lower, all in one part, is found as it is.
+    /// A plane with 45 % or 75 % lower, all in one part, is found as it is.
     #[test]
     fn what_is_worn_does_not_tilt_the_plane() {
         for end in [36.0, 60.0] {

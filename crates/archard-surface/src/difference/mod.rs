@@ -6,7 +6,7 @@
 //! 1. spikes of either scan become points that were not measured;
 //! 2. directions of slopes are correlated for the place to a pixel (`start`), and most patches that agree have the plane (`level`);
 //! 3. shift, turn and plane are fitted with weights by which what changed hardly counts (`fit`), to splines of the earlier scan (`sample`);
-//! 4. the covariance of what is left tells the noise (`noise`), by which regions of wear and pile-up stand out (`region`);
+//! 4. the covariance of what is left gives the noise (`noise`), by which regions of wear and pile-up stand out (`region`);
 //! 5. these are left out, and all from the fit on is done again until they stay (`rounds`);
 //! 6. a difference that keeps the texture is of two places, and refused (`kept`);
 //! 7. changes are summed over regions with their signs, so that noise adds nothing, and over gaps in them (`gaps`); the same covariance is
@@ -108,7 +108,7 @@ pub struct Difference {
     pub scar: Scar,
     /// Standard deviation (m) of what did not wear.
     pub scatter: f64,
-    /// Length (m) of a square over which noise is alike.
+    /// Length (m) of a square over which noise is correlated.
     pub alike: f64,
     /// Points without a height in worn regions, whose change was taken from those around them.
     pub missing: usize,
@@ -122,7 +122,7 @@ impl Difference {
     /// What changed from an earlier map to a later one.
     ///
     /// # Errors
-    /// If the maps do not overlap, the one is not found in the other, nothing or too much is worn, or the part that is given is none.
+    /// If the maps do not overlap, the one is not found in the other, nothing or too much is worn, or the part that is given does not exist.
     pub fn between(
         before: &HeightMap,
         after: &HeightMap,

@@ -1,6 +1,6 @@
 //! How what did not wear differs between the scans: its covariance, and the variance of sums over it.
 //!
-//! Differences next to each other are alike, and a sum over them is more uncertain than that of as many independent ones. The
+//! Differences next to each other are correlated, and a sum over them is more uncertain than that of as many independent ones. The
 //! covariance at each lag is the mean product of pairs that lie so far apart. Beyond some radius it is nothing but chance, and
 //! left out: the least radius that is [`RADII`] times that of the disc over which a perfect correlation would have the same integral
 //! (A. D. Sokal's window, in *Functional Integration*, Plenum 1997, 131, in two dimensions).
@@ -25,7 +25,7 @@ pub(super) struct Noise {
     pub(super) alike: f64,
     /// Degrees of freedom of the variance of sums.
     pub(super) freedom: f64,
-    /// Whether it is alike so far that nothing on the map tells how far.
+    /// Whether it is correlated so far that nothing on the map says how far.
     pub(super) endless: bool,
 }
 

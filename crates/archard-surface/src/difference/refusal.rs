@@ -68,7 +68,7 @@ pub enum NoDifference {
         /// Standard deviation (m) of what did not stand out.
         scatter: f64,
     },
-    /// The part that was given is none.
+    /// The part that was given does not exist.
     #[error(
         "the part in which wear is to be found has {inside} points of the overlap inside and {outside} outside, and {least} of each are needed"
     )]

@@ -94,7 +94,7 @@ impl Changes<'_> {
         for width in &widths {
             let deviation = self.pixel.map(|pixel| width / pixel);
             let smooth = noise.smoothed(deviation);
-            // Hills and pits alike.
+            // Both hills and pits.
             let hills = 0.5 * FALSE_ALARM / widths.len() as f64;
             let threshold = smooth.height_of(hills, self.elements) * smooth.deviation;
             least = [threshold, (4.0 * PI).sqrt() * width];
@@ -128,7 +128,7 @@ impl Changes<'_> {
         })
     }
 
-    /// Connected points of one sign of which enough stand out, with what they enclose that has no other sign and no region.
+    /// Connected points of one sign, enough of them standing out, with what they enclose that has no other sign and no region.
     fn components(&self, signs: &[i8], values: &[f64]) -> Vec<(bool, Vec<usize>)> {
         let mut seen = vec![false; signs.len()];
         let mut found = vec![];

@@ -254,7 +254,7 @@ impl Scans {
         (0..round.change.len()).map(own).collect()
     }
 
-    /// What tells the numbers of the placement, of the changes and how they fall.
+    /// What gives the numbers of the placement, of the changes and how they fall.
     pub(super) fn told(&self, round: &Round, falls: &[Option<[f64; PARAMETERS]>]) -> ToldBy {
         let weights = self.weights(round);
         let own = |(weight, falls): (f64, &Option<[f64; PARAMETERS]>)| {

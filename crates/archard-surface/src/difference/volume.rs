@@ -82,7 +82,7 @@ pub(super) struct Uncertainty<'a> {
     pub(super) noise: &'a Noise,
     /// How the change of every point falls with level and place.
     pub(super) falls: &'a [Option<Falls>],
-    /// What tells both.
+    /// What gives both.
     pub(super) told: ToldBy,
 }
 

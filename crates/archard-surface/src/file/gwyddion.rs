@@ -135,7 +135,7 @@ enum Value<'a> {
     Numbers(&'a [u8]),
     /// Its name and components.
     Object(&'a [u8], &'a [u8]),
-    /// One that tells nothing about heights.
+    /// One that says nothing about heights.
     Other,
 }
 

@@ -8,7 +8,7 @@
 //! - `.npy` of NumPy, a matrix of numbers;
 //! - text and CSV, a row of heights for each row of points, with commas, semicolons, tabs or blanks between.
 //!
-//! Of the last two nothing tells the size of a pixel and the unit of heights: [`Scale`] does.
+//! Of the last two nothing gives the size of a pixel and the unit of heights: [`Scale`] does.
 //!
 //! Rows run along x, and the first row has the lowest y, in every format: so ISO 25178-72 defines it, and so SurfaceTopography
 //! and surfalize read the others. Gwyddion and MountainsMap draw the first row at the top, where a picture with y upwards has
@@ -87,12 +87,12 @@ impl Format {
     }
 }
 
-/// What a file does not tell, or tells wrongly.
+/// What a file does not say, or says wrongly.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Scale {
     /// Size (m) of a pixel along x and y, in the place of what the file has.
     pub pixel: Option<[f64; 2]>,
-    /// Unit (m) of the numbers of a matrix; of a file that tells its own a factor on its heights is refused.
+    /// Unit (m) of the numbers of a matrix; of a file that gives its own a factor on its heights is refused.
     pub unit: Option<f64>,
 }
 
@@ -125,7 +125,7 @@ pub enum ReadError {
     /// A unit that is not known.
     #[error("`{0}` is no unit of length")]
     Unit(String),
-    /// A number that is none.
+    /// A number that cannot be read.
     #[error("line {line}: `{word}` is no number")]
     Number {
         /// The line, from 1.
@@ -146,7 +146,7 @@ pub enum ReadError {
     /// The size of pixels or the unit of heights is not known.
     #[error("nothing in the file tells {0}: give it")]
     Scale(&'static str),
-    /// The file tells its unit by itself.
+    /// The file gives its unit by itself.
     #[error("the file tells the unit of its heights itself: leave `unit` out")]
     Told,
     /// The heights make no map.
@@ -199,7 +199,7 @@ fn matrix(elements: [usize; 2], values: Vec<f64>, scale: Scale) -> Result<Height
 /// A unit of length (m) as instruments write it.
 ///
 /// # Errors
-/// If it is none.
+/// If it cannot be one.
 pub fn unit(text: &str) -> Result<f64, ReadError> {
     let word = text.trim_matches(|letter: char| letter.is_whitespace() || letter == '\0');
     Ok(match word {

@@ -92,7 +92,7 @@ fn head(all: &[u8]) -> Result<Head, ReadError> {
         2 => true,
         version => return Err(ReadError::Unsupported(format!("NetCDF of version {version}"))),
     };
-    // Records, of which a surface has none.
+    // Records: a surface has no such thing.
     number(&mut bytes)?;
     let mut dimensions = vec![];
     for _ in 0..list(&mut bytes, 10)? {

@@ -1,6 +1,6 @@
 //! `.npy` of NumPy: a matrix, whose rows run along x.
 //!
-//! A head names the kind of the numbers, their order and the shape as a Python dict, of which three keys count. The packages
+//! A head names the kind of the numbers, their order and the shape as a Python dict with three keys that count. The packages
 //! that read it bring a parser of Python with them; this needs none.
 
 use super::bytes::Bytes;

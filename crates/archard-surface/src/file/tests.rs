@@ -4,7 +4,7 @@ use super::{Format, ReadError, Scale, read};
 
 const MICRO: Scale = Scale { pixel: Some([2e-6, 3e-6]), unit: Some(1e-6) };
 
-/// Three rows of four heights (um), of which one was not measured.
+/// Three rows of four heights (um), one of them not measured.
 const ROWS: [[f64; 4]; 3] =
     [[1.0, 2.0, 3.0, 4.0], [5.0, f64::NAN, 7.0, 8.0], [-9.0, 10.0, 11.0, 12.0]];
 

@@ -1,4 +1,4 @@
-//! `.x3p` of ISO 25178-72: a zip archive whose `main.xml` describes the axes, and binary points beside it, those along x first.
+//! `.x3p` of ISO 25178-72: a zip archive whose `main.xml` describes the axes, and binary points next to it, those along x first.
 //!
 //! Heights are value times increment plus offset of the axis CZ, in metres. Of points that were not measured floating-point
 //! values are not a number; a file of bits, the lowest first, may mark them too. Sizes are compared before anything is
@@ -19,7 +19,7 @@ const HEAD: &str = "main.xml";
 const SUM_OF_HEAD: &str = "md5checksum.hex";
 /// Most bytes of the head and of its checksum: heads have a few kilobytes, and a comment.
 const MOST_OF_HEAD: usize = 1 << 20;
-/// Most attributes of the head, of which it needs the namespace alone. The parser compares each with those before it, and
+/// Most attributes of the head; only the namespace is needed. The parser compares each with those before it, and
 /// namespaces with all around them: the time grows with the third power, and is .2 s for so many.
 const MOST_ATTRIBUTES: usize = 1000;
 
@@ -72,7 +72,7 @@ pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, R
     Ok(HeightMap::new(head.elements, scale.pixel.unwrap_or(head.pixel), heights)?)
 }
 
-/// What `main.xml` tells.
+/// What `main.xml` gives.
 struct Head<'a> {
     elements: [usize; 2],
     pixel: [f64; 2],

@@ -17,7 +17,7 @@ use crate::outliers::{BY_MEDIAN, median};
 const MISFIT: f64 = 0.05;
 /// Least misfit: below it the section is that of the readings to a digit more than they have.
 const LEAST_MISFIT: f64 = 1e-3;
-/// The longest correlation length, over the width: longer ones are those of the form that is sought, of which a parabola has
+/// The longest correlation length, over the width: longer ones are those of the form that is sought, and a parabola has
 /// three turns.
 const LONGEST: f64 = 1.0 / 6.0;
 /// Texture, over the depth, beyond which no scar stands out: ten deviations are never reached by chance.

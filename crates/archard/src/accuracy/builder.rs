@@ -7,7 +7,7 @@ use crate::simulation::Builder;
 
 impl Builder {
     /// Puts the parts together on the elements, and with the tolerance of the steps, that an accuracy (a relative error) takes: the
-    /// elements of the frame are a first guess. Runs on coarser ones come first, of which `watch` is told; an error of it ends them.
+    /// elements of the frame are a first guess. Runs on coarser ones come first, which `watch` is shown; an error of it ends them.
     ///
     /// ```
     /// use archard::body::profile::{Flat, Sphere};

@@ -15,7 +15,7 @@ pub struct Grid {
     pub elements: [usize; 2],
     /// Whether finer elements may be taken; their error is stated where not.
     pub refines: bool,
-    /// Tolerance of the steps; `None` where it is none that elements go with.
+    /// Tolerance of the steps; `None` where elements do not go with it.
     pub tolerance: Option<f64>,
     /// Whether it becomes smaller with finer elements.
     pub tightens: bool,
@@ -30,7 +30,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The grid of a run, all of which becomes finer until the error is as asked.
+    /// The grid of a run, which becomes finer as a whole until the error is as asked.
     pub fn new(elements: [usize; 2]) -> Self {
         Self {
             elements,

@@ -29,7 +29,7 @@ pub fn admitted(value: f64) -> bool {
     value > 0.0 && value <= COARSEST
 }
 
-/// Why a value is none.
+/// Why a value does not exist.
 pub fn refusal() -> String {
     format!("must be greater than 0 and at most {COARSEST}, a relative error")
 }

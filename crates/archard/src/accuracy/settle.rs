@@ -21,13 +21,13 @@ const OF_LINES: [(f64, [bool; 2]); 3] =
     [(2.0, [true, false]), (FARTHEST, [false; 2]), (FARTHEST, [true, false])];
 /// How many times coarser the coarsest companion is.
 pub const FARTHEST: f64 = 2.0 * SQRT_2;
-/// One more where a run shows one state only, so that nothing before or after it tells what agrees by chance.
+/// One more where a run shows one state only, so that nothing before or after it says what agrees by chance.
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
-/// How much finer a grid becomes beside what the estimate asks for.
+/// How much finer a grid becomes relative to what the estimate asks for.
 const MARGIN: f64 = 1.15;
 /// How many times finer a grid becomes at least and at most before it is judged again.
 pub const FINER: [f64; 2] = [1.1, 2.0];
-/// How much finer than the first grid one is whose error tells, with that of the first, what finer ones can reach.
+/// How much finer than the first grid one is whose error shows, with that of the first, what finer ones can reach.
 const TOLD: f64 = 2.0;
 
 /// What went wrong elsewhere.
@@ -55,7 +55,7 @@ pub enum Event<'a> {
     FallsShort(&'a Unsettled),
 }
 
-/// What who watches answers to a state of a run of which the rest is not needed: that run ends there, and errors are foreseen as far as
+/// What who watches answers to a state of a run whose rest is not needed: that run ends there, and errors are foreseen as far as
 /// all runs go.
 #[derive(Debug, Clone, Copy, thiserror::Error)]
 #[error("the rest of the run is not needed")]
@@ -167,7 +167,7 @@ pub fn settle(
     let mut search = Search { accuracy, grid, build, watch };
     // How fine a grid is, relative to the one at the beginning.
     let mut fineness = 1.0;
-    // The first grid whose error tells an order: how fine it is, and how far off.
+    // The first grid whose error gives an order: how fine it is, and how far off.
     let mut first: Option<[f64; 2]> = None;
     let mut reached: Option<(Grid, Judges)> = None;
     let mut too_coarse = None;
@@ -316,7 +316,7 @@ impl Search<'_, '_> {
         };
         let mut own = (self.build)(&grid).map_err(Unsettled::Build)?;
         let at = |place: f64| (judges.companions.worst_foreseen(place), place);
-        // The first of those that are alike.
+        // The first of those that are equal.
         let errors = judges.places(&own).into_iter().rev().map(at);
         let (error, place) =
             errors.max_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or_default();
@@ -334,7 +334,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Elements across the first contact, or across the frame where no closed form tells it.
+/// Elements across the first contact, or across the frame where no closed form gives it.
 fn across(own: &Simulation) -> f64 {
     let frame = &own.problem.frame;
     let contact = Subject::from(&own.problem).contact(own.schedule.control);

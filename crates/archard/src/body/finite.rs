@@ -23,13 +23,13 @@ pub struct Finite {
     pub elasticity: Elasticity,
 }
 
-/// What tells how a meshed body deforms.
+/// What says how a meshed body deforms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Elasticity {
     /// Its own shape and supports.
     #[default]
     BoundaryElements,
-    /// Its own shape and supports, as a half-space with an image field: the zone lies on a flat face, of which the mesh says nothing,
+    /// Its own shape and supports, as a half-space with an image field: the zone lies on a flat face, and the mesh says nothing of it,
     /// and the frame divides it. The mesh is coarse; halved once, it says how far the image field is off.
     Image,
     /// Its own shape and supports, by the tetrahedra inside it: its nodes on the zone are the pairs, and its elements bear what acts there.

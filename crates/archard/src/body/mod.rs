@@ -85,7 +85,7 @@ impl Body {
         "density, to weigh what is worn off",
     );
 
-    /// What to write for a name that is none.
+    /// What to write for a name that cannot be one.
     pub const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
 
     /// Whether a body of a case can be called that: its name becomes part of the names of columns and files.

@@ -69,7 +69,7 @@ impl Modes {
         &self.decay_rates
     }
 
-    /// A mode, the slowest of which is number 0, at a distance over the radius of the punch.
+    /// A mode, the slowest being number 0, at a distance over the radius of the punch.
     ///
     /// Positive in the centre, with a mean of 0 and a mean square of 1 over the punch; `None` beyond
     /// the last mode or the edge.
@@ -116,7 +116,7 @@ fn element(m: usize, n: usize) -> f64 {
         / ((1.0 - distance * distance) * (sum + 1.0) * (sum + 3.0))
 }
 
-/// The part a mode has in 1/(2 sqrt(1 - x^2)), of which that of Z_m is 1/sqrt(2m+1).
+/// The part a mode has in 1/(2 sqrt(1 - x^2)): that of Z_m is 1/sqrt(2m+1).
 fn share_at_start(coefficients: &[f64]) -> f64 {
     let parts = coefficients.iter().enumerate();
     parts.map(|(at, coefficient)| coefficient / ((2 * at + 3) as f64).sqrt()).sum()

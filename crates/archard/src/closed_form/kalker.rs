@@ -228,7 +228,7 @@ mod tests {
         }
     }
 
-    /// Without Poisson effect both directions are alike.
+    /// Without Poisson effect both directions are equal.
     #[test]
     fn directions_are_alike_without_a_poisson_ratio() {
         for axis_ratio in [0.1, 0.17, 1.0, 3.0, 10.0] {

@@ -1,4 +1,4 @@
-//! Contact and wear problems with an answer on paper: for estimates before a run, for curves beside
+//! Contact and wear problems with an answer on paper: for estimates before a run, for curves next to
 //! a result, and for tests.
 //!
 //! Everything takes and gives plain numbers in SI.

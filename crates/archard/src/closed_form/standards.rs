@@ -28,7 +28,7 @@ pub fn segment(radius: f64, width: f64) -> Option<f64> {
     let half = 0.5 * width;
     let rest = root(radius, half)?;
     let angle = (half / radius).asin();
-    // r^2 (a - sin a cos a), of which the first terms cancel.
+    // r^2 (a - sin a cos a), whose first terms cancel.
     if angle < SMALL {
         let square = angle * angle;
         let series = 1.0 - square * (0.2 - square * (2.0 / 105.0 - square / 945.0));

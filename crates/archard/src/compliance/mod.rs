@@ -120,7 +120,7 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
-    /// The same bodies under elements of twice the size, the first of which begins where these do, one more along an axis
+    /// The same bodies under elements of twice the size that begin where these do, one more along an axis
     /// with an odd number of them; `None` where that is not possible.
     fn coarser(&self) -> Option<&dyn Compliance> {
         None

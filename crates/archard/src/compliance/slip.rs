@@ -38,7 +38,7 @@ pub trait SlipMap: Debug + Send + Sync {
         None
     }
 
-    /// The same map on elements of twice the size, the first of which begins where these do; `None` where
+    /// The same map on elements of twice the size that begin where these do; `None` where
     /// that is not possible.
     fn coarser(&self) -> Option<Coarser<'_>> {
         None
@@ -65,13 +65,13 @@ pub enum PairStatus {
     Stick,
     /// It slips: what is unknown is the direction of its traction.
     Slip {
-        /// What the linear system has beside the map on the diagonal (m/Pa).
+        /// What the linear system has besides the map on the diagonal (m/Pa).
         diagonal: f64,
     },
 }
 
 /// [`SlipMap::precondition`] with what undoes the map of all pairs, for maps that are symmetric. It governs pairs that
-/// stick, and pairs that slip as far as their diagonal in the map, `own` (m/Pa), outweighs the one beside it.
+/// stick, and pairs that slip as far as their diagonal in the map, `own` (m/Pa), outweighs the one next to it.
 pub(super) fn precondition_by_share(
     own: f64,
     slip: [&[f64]; 2],

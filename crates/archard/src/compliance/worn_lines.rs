@@ -1,7 +1,7 @@
 //! The compliance of bodies that wear as they roll: pressures in a line of rolling wear all of it.
 //!
 //! Over some revolutions a line wears by its slope times the sum of its pressures, and that opens the gap
-//! along the whole line: a matrix of rank one beside the elastic compliance, line by line. It is
+//! along the whole line: a matrix of rank one next to the elastic compliance, line by line. It is
 //! symmetric and positive, so that an implicit step of wear is one normal contact problem. Where lines share
 //! pairs, the elastic preconditioner has to do.
 

@@ -25,7 +25,7 @@ const OPEN: usize = FITTED + 1;
 const EDGES: usize = 32;
 
 /// How far along an edge rows are looked at on both sides, over the width of an element across it. A choice: elements stand out from an
-/// edge that is nearly along them in long steps, of which nearer rows show a part.
+/// edge that is nearly along them in long steps, and nearer rows show a part of these.
 const ROWS: f64 = 2.0;
 
 /// The stress at an edge, with all that says how far off it may be.

@@ -13,7 +13,7 @@ use crate::stress::criteria::{
 };
 use crate::stress::{Components, tension};
 
-/// Paths of a depth of which criteria that look for a plane of the material are asked, those of the largest amplitude of shear and those of
+/// Paths of a depth at which criteria look for a plane of the material: those of the largest amplitude of shear and those of
 /// the largest tension. A choice of effort.
 const ROWS: usize = 8;
 /// Parts that the depth of the worst is placed in, between the depths that are looked at, by golden sections. A choice of effort.

@@ -2,7 +2,7 @@
 
 use crate::body::{Body, profile::circle_recess};
 
-/// What counts against the small gap of bodies of which one is hollow, at the edge of their contact.
+/// What counts against the small gap of bodies, one of them hollow, at the edge of their contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conforming {
     /// The gap between the profiles without that between circles of the same curvatures, over the gap: the terms of fourth and

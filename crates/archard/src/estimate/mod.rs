@@ -28,7 +28,7 @@ use crate::friction::Friction;
 use crate::motion::{Control, Motion};
 use crate::problem::ContactProblem;
 
-/// How little Dundurs' constant has to be for bodies to count as alike, and in rolling the creepage it is worth.
+/// How little Dundurs' constant has to be for bodies to count as equal, and in rolling the creepage it is worth.
 ///
 /// At 0.009 spheres that fret as in the case `cattaneo_mindlin`, or with a fifth of its amplitude, lose 0.2 % more
 /// energy at most and stick on 1 % less; at 0.05 they lose 4 % more.
@@ -62,7 +62,7 @@ pub struct Course {
     pub load_distance: Option<f64>,
 }
 
-/// What closed forms say of a problem; `None` where there is none.
+/// What closed forms say of a problem; `None` where none exists.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Estimate {
@@ -224,7 +224,7 @@ impl Subject<'_> {
     /// The load (N) of bodies that touch along a line at an approach (m), by bisection.
     fn load_of_a_line(&self, approach: f64, under: impl Fn(f64) -> Option<Line>) -> Option<f64> {
         let beyond = |load: f64| Some(self.approach_of_a_line(&under(load)?)? > approach);
-        // As far as the contact is narrow beside the depth, the approach grows with the load.
+        // As far as the contact is narrow against the depth, the approach grows with the load.
         let (mut low, mut high) = (0.0, self.contact_modulus() * approach * self.size[1]);
         for _ in 0..100 {
             let middle = 0.5 * (low + high);

@@ -15,13 +15,13 @@ pub struct Rolled {
     pub line: bool,
     /// When all slips.
     pub saturation: Option<Saturation>,
-    /// Longitudinal creepage over the one at which all slips, without lateral creepage and spin; of bodies alike.
+    /// Longitudinal creepage over the one at which all slips, without lateral creepage and spin; of bodies of one kind.
     pub relative_creepage: Option<f64>,
     /// Share of the contact that sticks at that creepage: by strip theory, or by Carter's where the bodies touch along a
     /// line.
     pub stick_share: Option<f64>,
     /// Force on body 1 along the direction of rolling and across (N) if all sticks, after Kalker; of
-    /// bodies alike.
+    /// bodies of one kind.
     pub linear_force: Option<[f64; 2]>,
     /// The same force (N) with slip, without spin: after Vermeulen and Johnson, or Carter's where the
     /// bodies touch along a line.
@@ -134,7 +134,7 @@ impl Contacted<'_> {
         }
     }
 
-    /// Whether the bodies roll as those of one elasticity: beta a / R is little beside the creepages given.
+    /// Whether the bodies roll as those of one elasticity: beta a / R is little against the creepages given.
     ///
     /// That much unlike surfaces are stretched under the pressures of Hertz, which works as another creepage: in
     /// `carter` 0.58 times as much took off the force where most sticks, and 0.28 times between spheres.

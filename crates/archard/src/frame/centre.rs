@@ -126,7 +126,7 @@ impl Grid {
         }
     }
 
-    /// Weighs the values around the centre, and whether none of them is zero, as they are beside the grid.
+    /// Weighs the values around the centre, and whether none of them is zero, as they are next to the grid.
     fn weigh(&self, field: &[f64], weights: Weights) -> (f64, bool) {
         let [along_x, along_y] = [0, 1].map(|axis| weights(self.elements[axis], self.middle[axis]));
         let (mut sum, mut whole) = (0.0, true);

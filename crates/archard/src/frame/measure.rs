@@ -5,7 +5,7 @@ use crate::numerics::vector::{Values, sum_with};
 /// What the pairs of a frame stand for.
 ///
 /// A force is the mean area times the sum of the weighted tractions. A compliance is symmetric in the product
-/// of fields that has these weights: what pressures do to one another goes by the areas they act on.
+/// of fields that has these weights: what pressures do to one another depends on the areas they act on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measure<'a> {
     /// Mean area (m^2) of a pair and its mirror images.

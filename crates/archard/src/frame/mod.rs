@@ -70,7 +70,7 @@ enum Shape {
 /// The axes of the frame.
 const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A frame some part of which lies beyond a body's surface.
+/// A frame with a part beyond a body's surface.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("the surface of body {} does not reach the pair at x = {:e} m, y = {:e} m", .body + 1, .place[0], .place[1])]
 pub struct OffTheSurface {

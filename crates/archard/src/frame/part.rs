@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::Rectangle;
 use crate::numerics::convolution::even_smooth;
 
-/// Share of the elements above which a part of them is not worth while. A choice of cost: what is beside a part is known to be
+/// Share of the elements above which a part of them is not worth while. A choice of cost: what is next to a part is known to be
 /// open, whatever its size.
 const WHOLE: f64 = 0.75;
 
@@ -74,7 +74,7 @@ impl Part {
         }
     }
 
-    /// What the whole grid covers, of which it covers a rectangle.
+    /// The whole grid: it covers a rectangle of this.
     pub fn whole(&self, own: Rectangle) -> Rectangle {
         let spacing = [0, 1].map(|axis| own.size[axis] / self.size[axis] as f64);
         let middle = |axis: usize| {
@@ -141,7 +141,7 @@ impl Part {
         Self { frame: outer.frame, first, size: self.size }
     }
 
-    /// The number in the rectangle of a pair of the frame; `None` beside it.
+    /// The number in the rectangle of a pair of the frame; `None` next to it.
     pub fn place(&self, pair: usize) -> Option<usize> {
         let [x, y] = [pair % self.frame[0], pair / self.frame[0]];
         let [columns, rows] = self.extent();
@@ -162,7 +162,7 @@ impl Part {
         field
     }
 
-    /// The field of the frame with these values, zero beside them.
+    /// The field of the frame with these values, zero next to them.
     pub fn put(&self, values: &[f64]) -> Vec<f64> {
         self.pasted(values, vec![0.0; self.frame[0] * self.frame[1]])
     }

@@ -53,7 +53,7 @@ struct Cell {
 }
 
 impl Cell {
-    /// Between pairs of which some are inside.
+    /// Between pairs, some of them inside.
     fn between(
         pairs: [usize; 4],
         inside: [bool; 4],

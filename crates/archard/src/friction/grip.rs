@@ -1,10 +1,10 @@
-//! What raises or lowers the limits of friction beside the pressure: their *grip*, a factor at each pair.
+//! What raises or lowers the limits of friction besides the pressure: their *grip*, a factor at each pair.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Friction, Map};
 
-/// What a law may go by beside the pressure.
+/// What a law may go by besides the pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Circumstance {
     /// Speed (m/s) at which the bodies slide over each other at the pair as rigid ones, whether it sticks or slips.
@@ -40,7 +40,7 @@ pub struct Circumstances {
     pub temperature: f64,
 }
 
-/// Factors on the limits of friction, one a pair; one everywhere where the law goes by the pressure alone.
+/// Factors on the limits of friction, one a pair; one everywhere where the law depends on the pressure alone.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Grip(Vec<f64>);
 

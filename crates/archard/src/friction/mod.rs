@@ -38,7 +38,7 @@ pub trait Friction: Debug + Send + Sync {
         (self.limit(high) - self.limit(low)) / (high - low)
     }
 
-    /// What the limit goes by beside the pressure.
+    /// What the limit depends on besides the pressure.
     fn inputs(&self) -> &[Circumstance] {
         &[]
     }

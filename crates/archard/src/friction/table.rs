@@ -3,7 +3,7 @@
 //! limit = mu(x) p, mu straight between the points of the table and held beyond the first and the last. Finite element
 //! programs tabulate it in the same way (Abaqus, *frictional behavior*).
 //!
-//! Limits: over the pressure, the limit must not fall as the pressure grows. What else it goes by is said at
+//! Limits: over the pressure, the limit must not fall as the pressure grows. What else it depends on is said at
 //! [`Circumstance`].
 
 use super::{Circumstance, Circumstances, Friction};

@@ -29,7 +29,7 @@ impl Schedule {
             && matches!(self.control, Control::Load(load) if load > 0.0)
     }
 
-    /// Whether one run tells both shares of the extent, each greater than zero, apart or takes them for one.
+    /// Whether one run separates both shares of the extent, each greater than zero, or takes them for one.
     pub fn tells(&self, share: f64, other: f64) -> bool {
         let difference = (share - other).abs();
         difference <= SAME * share.max(other) || difference >= APART

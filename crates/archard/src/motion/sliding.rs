@@ -2,7 +2,7 @@
 //!
 //! Without a track the surfaces stay opposite each other, as in the paper: both wear as if the one were as short as the
 //! other. A disc, a ring or a flat under a stroke is longer. It *passes*: each of its points comes through the contact
-//! once a turn, or once a stroke, and all points on a line along the motion wear alike.
+//! once a turn, or once a stroke, and all points on a line along the motion wear equally.
 
 use super::{
     APPROACH, Control, LOAD, Lever, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,

@@ -1,4 +1,4 @@
-//! Substitution in single precision, for a vector at a time: several columns of the factors at once, each of which
+//! Substitution in single precision, for a vector at a time: several columns of the factors at once, and each
 //! is read once.
 
 use super::vector::LANES;

@@ -58,7 +58,7 @@ pub fn sum<const R: usize, const N: usize>(
     sweep([], vectors, |[], values| ([], term(values)))
 }
 
-/// Sums over all elements of what `term` makes of the vectors' values and those beside them.
+/// Sums over all elements of what `term` makes of the vectors' values and those next to them.
 pub fn sum_with<const W: usize, const R: usize, const N: usize>(
     beside: [Values<'_>; W],
     vectors: [&[f64]; R],
@@ -87,7 +87,7 @@ pub fn update<const R: usize>(
 }
 
 /// Sets the elements of some vectors to what `change` makes of them and of the other vectors' values,
-/// and returns the sums of what it returns beside them. All vectors have the same length.
+/// and returns the sums of what it returns next to them. All vectors have the same length.
 pub fn sweep<const M: usize, const R: usize, const N: usize>(
     vectors: [&mut [f64]; M],
     others: [&[f64]; R],
@@ -96,7 +96,7 @@ pub fn sweep<const M: usize, const R: usize, const N: usize>(
     sweep_with([], vectors, others, |[], values, others| change(values, others))
 }
 
-/// The same with values beside the vectors.
+/// The same with values next to the vectors.
 pub fn sweep_with<const W: usize, const M: usize, const R: usize, const N: usize>(
     beside: [Values<'_>; W],
     vectors: [&mut [f64]; M],

@@ -1,4 +1,4 @@
-//! What there is to read of a choice beside its declaration.
+//! What there is to read of a choice besides its declaration.
 
 /// Where a choice is from, and how a case has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

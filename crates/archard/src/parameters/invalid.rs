@@ -15,7 +15,7 @@ pub struct Invalid {
     pub message: String,
     /// What to do, where the message leaves it open.
     pub help: Option<Box<str>>,
-    /// Parameters beside it that the error is about, too: any of them may be the one to change.
+    /// Parameters besides it that the error is about, too: any of them may be the one to change.
     pub beside: Vec<&'static str>,
     /// Whether only one of them and it may be given.
     pub exclusive: bool,
@@ -53,7 +53,7 @@ impl Invalid {
         self
     }
 
-    /// Two parameters, of which only one may be given, and what to do about it.
+    /// Two parameters, only one of them to be given, and what to do about it.
     pub fn exclusive(parameter: &'static str, other: &'static str, advice: &str) -> Self {
         let message = format!("`{other}` and `{parameter}` exclude each other: {advice}");
         Self { exclusive: true, ..Self::new(parameter, message).beside(other) }

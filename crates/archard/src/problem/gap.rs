@@ -11,7 +11,7 @@ use crate::numerics::vector::update;
 /// The normal gap as a solve left it; [`ContactState::gap_of`](super::ContactState::gap_of) says what it is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Gap {
-    /// The gap (m), one value a pair; without the displacement by the pressures beside a part.
+    /// The gap (m), one value a pair; without the displacement by the pressures next to a part.
     pub(crate) values: Vec<f64>,
     pub(crate) part: Option<Part>,
 }
@@ -32,7 +32,7 @@ impl Gap {
         Cow::Owned(self.opened_by(normal_displacement(compliance, pressure)))
     }
 
-    /// The gap (m) of all pairs, those beside the part opened by a displacement (m) too.
+    /// The gap (m) of all pairs, those next to the part opened by a displacement (m) too.
     pub(crate) fn opened_by(&self, mut displacement: Vec<f64>) -> Vec<f64> {
         let Some(part) = &self.part else { return self.values.clone() };
         update(&mut displacement, [&self.values], |opened, [gap]| opened + gap);

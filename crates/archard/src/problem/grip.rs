@@ -1,6 +1,6 @@
-//! The circumstances that friction goes by, and the grip they make.
+//! The circumstances that friction depends on, and the grip they make.
 //!
-//! Speeds are those of the rigid bodies: a law that goes by the slip itself has no one answer where it falls. Distances
+//! Speeds are those of the rigid bodies: a law that depends on the slip itself has no one answer where it falls. Distances
 //! are those that points have slid under pressure, of both surfaces the longer. Temperatures are those that the heat of
 //! this friction makes, so that both have to be found together.
 
@@ -12,7 +12,7 @@ use crate::numerics::SAME;
 use crate::wear::Input;
 
 impl ContactProblem {
-    /// Whether the law of friction goes by that.
+    /// Whether the law of friction depends on that.
     pub fn grips_by(&self, circumstance: Circumstance) -> bool {
         self.friction.as_ref().is_some_and(|law| law.inputs().contains(&circumstance))
     }

@@ -132,7 +132,7 @@ impl Heating {
     /// The surfaces that are warmed, with their speeds (m/s) at a creepage.
     fn streaming(&self, creepage: f64) -> impl Iterator<Item = (usize, Thermal, f64)> {
         let speeds = [1.0 + 0.5 * creepage, 1.0 - 0.5 * creepage];
-        // A surface that stands still, or runs backwards, is passed by nothing that this theory tells.
+        // A surface that stands still, or runs backwards, is passed by nothing that this theory gives.
         let speeds = speeds.map(|relative| self.speed * relative.max(0.0));
         let surfaces = self.surfaces.into_iter().enumerate();
         surfaces.filter_map(move |(body, thermal)| Some((body, thermal?, speeds[body])))
@@ -201,7 +201,7 @@ impl ContactProblem {
         flow.map(|_| ()).ok_or(NoTemperature::NoRows)
     }
 
-    /// The same as [`flash`](Self::flash), where a law goes by the temperature.
+    /// The same as [`flash`](Self::flash), where a law depends on the temperature.
     pub fn flash_for_laws(&self, state: &ContactState) -> Option<Flash> {
         if self.goes_by_temperature() { self.flash(state) } else { None }
     }

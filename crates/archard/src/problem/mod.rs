@@ -69,12 +69,12 @@ impl ContactProblem {
         self.bodies.iter().any(asks)
     }
 
-    /// Whether a wear law goes by what was before.
+    /// Whether a wear law depends on what was before.
     pub fn ages(&self) -> bool {
         self.asks(Input::Distance) || self.asks(Input::Depth)
     }
 
-    /// Whether wear, or the friction that wears, goes by what was before.
+    /// Whether wear, or the friction that wears, depends on what was before.
     pub fn remembers(&self) -> bool {
         self.ages() || self.counts_distance()
     }
@@ -225,7 +225,7 @@ pub struct ContactState {
     pub gap: Gap,
     /// The worn surfaces of body 1 and body 2.
     pub surfaces: [Surface; 2],
-    /// Friction, where the motion tells slip from stick.
+    /// Friction, where the motion separates slip from stick.
     pub tangential: Option<Tangential>,
 }
 

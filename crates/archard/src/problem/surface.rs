@@ -1,7 +1,7 @@
 //! The worn surface of a body, in its own coordinates.
 //!
 //! A surface that stays has an element under each pair of the frame. One that passes along an axis has one for all the pairs
-//! of a row along it, since they wear alike. One that swings is longer than the frame, and is moved over it. One that repeats itself
+//! of a row along it, since they wear equally. One that swings is longer than the frame, and is moved over it. One that repeats itself
 //! is moved round.
 
 use std::borrow::Cow;
@@ -42,7 +42,7 @@ enum Along {
     Passes,
     /// One a pair, and so many more before the first and after the last.
     Swings([usize; 2]),
-    /// One a pair, the last one beside the first.
+    /// One a pair, the last one next to the first.
     Recurs,
 }
 

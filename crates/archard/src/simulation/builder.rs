@@ -17,7 +17,7 @@ use crate::problem::{ContactProblem, Unworn};
 use crate::solve::tangential::{FrictionSolver, Newton};
 use crate::solve::{ConjugateGradient, Solver};
 
-/// The parts of a [`Simulation`], of which two bodies and a motion are always there.
+/// The parts of a [`Simulation`]: two bodies and a motion are always there.
 ///
 /// ```
 /// use archard::body::profile::{Flat, Sphere};

@@ -2,7 +2,7 @@
 //!
 //! Wear belongs to a surface, and surfaces move past each other. Where the surface of a body *stays*, each of its points
 //! is under one pair and wears by what that pair goes through. Where it *passes*, its points go through all pairs on a
-//! line along the motion, again and again, and [wear alike](super::passing).
+//! line along the motion, again and again, and [wear equally](super::passing).
 
 use super::error::Error;
 use super::passing::{Lines, OfLines};

@@ -461,7 +461,7 @@ fn errors(companions: &Companions, row: &Row) -> Row {
     [worst].into_iter().chain(stated.map(of)).collect()
 }
 
-/// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn alike:
+/// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn equally:
 /// that share of the progress of the one is the progress of the other.
 pub fn rescaled(row: &[(String, f64)], share: f64) -> Vec<(String, f64)> {
     let rescale = |(index, (name, value)): (usize, &(String, f64))| {
@@ -583,7 +583,7 @@ mod tests {
         assert_eq!(body_of(BODY_DEPTH, "wear_depth_m"), None);
     }
 
-    /// The page on results has this table, and no other name beside it.
+    /// The page on results has this table, and no other name besides it.
     #[test]
     fn the_book_describes_every_column() {
         let page = include_str!("../../../../book/src/results.md");

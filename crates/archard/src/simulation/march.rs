@@ -14,7 +14,7 @@ use super::steps::Steps;
 use super::surroundings::More;
 use crate::problem::ContactState;
 
-/// A run under way: all that its further steps follow from, beside the simulation.
+/// A run under way: all that its further steps follow from, besides the simulation.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct March {
     /// Of the simulation.

@@ -172,7 +172,7 @@ impl History {
         });
     }
 
-    /// Pressures, and friction where the bodies roll, under a gap (m), with what pairs give way beside the compliance
+    /// Pressures, and friction where the bodies roll, under a gap (m), with what pairs give way next to the compliance
     /// (m/Pa).
     pub(super) fn contact(
         &mut self,

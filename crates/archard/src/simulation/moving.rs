@@ -156,7 +156,7 @@ fn doubled(surface: &Surface) -> Surface {
     surface.map(surface.grid, |field| means(field, surface.grid.elements()))
 }
 
-/// Values of elements, as those of elements twice as large in a frame twice as wide; 0 beside the smaller one. Along an axis
+/// Values of elements, as those of elements twice as large in a frame twice as wide; 0 next to the smaller one. Along an axis
 /// with one element that is all there is.
 fn means(field: &[f64], elements: [usize; 2]) -> Vec<f64> {
     let [nx, ny] = elements;

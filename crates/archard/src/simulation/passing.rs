@@ -1,4 +1,4 @@
-//! Wear of surfaces that pass: all points on a line along the motion wear alike.
+//! Wear of surfaces that pass: all points on a line along the motion wear equally.
 //!
 //! Where bodies roll, a particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
 //! and it is rubbed until it has left the last pair under pressure, as far as it slips under the limit of friction. With

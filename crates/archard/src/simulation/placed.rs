@@ -6,7 +6,7 @@
 //! from the beginning.
 //!
 //! Where surfaces stay opposite each other, what is far from the contact neither touches nor wears. The histories of a run live
-//! in a window then: the same problem on a part of the frame, with the same elements. Pressures only open the gaps beside it,
+//! in a window then: the same problem on a part of the frame, with the same elements. Pressures only open the gaps next to it,
 //! within the frame and beyond, so that no pair there touches while the approach stays below all of them. A solve that comes
 //! closer fails as one that fills its frame does (`Simulation::beside`), and the step is taken again in a larger window. What is
 //! shown lies in the frame.
@@ -25,7 +25,7 @@ use crate::problem::{ContactProblem, Unworn};
 
 /// Gaps, over the approach, up to which pairs lie in a window.
 const AMPLE: f64 = 2.0;
-/// Approach, over the lowest gap beside a window, from which on a larger one is taken, or none where that gap is beyond the frame.
+/// Approach, over the lowest gap next to a window, from which on a larger one is taken, or none where that gap is beyond the frame.
 const NEAR: f64 = 0.8;
 /// Elements on each side of those pairs.
 const MARGIN: usize = 1;
@@ -81,7 +81,7 @@ impl Placed {
         }
     }
 
-    /// What goes on in the window, or in the frame where there is none; `None` where it cannot be made.
+    /// What goes on in the window, or in the frame where none exists; `None` where it cannot be made.
     pub fn simulation<'a>(&'a self, simulation: &'a Simulation) -> Option<&'a Simulation> {
         let frame = self.in_frame(simulation)?;
         match &self.window {
@@ -101,7 +101,7 @@ impl Placed {
     }
 
     /// The same frame with a window that has room for an approach (m) to grow; without one where that would be nearly the
-    /// whole frame, or what is beside it may count.
+    /// whole frame, or what is next to it may count.
     pub fn windowed(&self, simulation: &Simulation, approach: f64) -> Self {
         let part = self.in_frame(simulation).and_then(|frame| window(frame, approach));
         let placed = Self { window: part.map(Made::by), ..self.clone() };
@@ -188,13 +188,13 @@ impl Simulation {
         Some(Self { beside: beside.fold(self.surroundings().least(), f64::min), ..within })
     }
 
-    /// The same in a larger frame, of which its own is a part.
+    /// The same in a larger frame that its own is a part of.
     fn around(&self, part: &Part) -> Option<Self> {
         let profiles = self.problem.bodies.each_ref().map(|body| &*body.profile);
         self.on(self.problem.frame.around(part, profiles)?)
     }
 
-    /// The same on another part of its endless grid; `None` where the compliance is none there.
+    /// The same on another part of its endless grid; `None` where there is no compliance.
     fn on(&self, frame: ContactFrame) -> Option<Self> {
         let Self { problem, solver, friction_solver, schedule, .. } = self;
         Some(Self {

@@ -17,7 +17,7 @@ use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::tangential::{self, Admissible, PrescribedForce, Turning};
 
-/// Change of the grip below which friction and what it goes by agree, turns between them, and the change beside the last
+/// Change of the grip below which friction and what it depends on agree, turns between them, and the change next to the last
 /// one from which on a turn goes only half as far as the one before; the second is that of a rough solve.
 const SETTLED: f64 = 1e-7;
 const ROUGHLY: f64 = 1e-3;

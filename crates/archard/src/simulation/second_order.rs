@@ -4,7 +4,7 @@
 //!
 //! - The edge of the contact falls somewhere inside the first pair of a row. To ask for stick on the passage to that
 //!   pair is wrong by where. Its traction is a share of that of the pair behind instead, the ratio of their limits:
-//!   beside the edge both grow with the root of the distance. Its slip is not asked for.
+//!   next to the edge both grow with the root of the distance. Its slip is not asked for.
 //! - Friction points along the slip at a pair, the difference gives the slip half a passage ahead. Where spin turns the
 //!   slip on the way, pairs that slip go by the mean of the passage to them and that to the pair behind.
 
@@ -19,7 +19,7 @@ use crate::problem::{ContactProblem, GROWS};
 use crate::solve::tangential::{Tie, Turning};
 
 /// Pairs behind the one at the edge that stick at least where the trend of the first two goes on to it: the third keeps the edge
-/// of slip, beside which tractions bend, away from them.
+/// of slip, next to which tractions bend, away from them.
 const STICKING: usize = 3;
 
 /// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that they

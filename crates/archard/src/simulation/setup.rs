@@ -21,13 +21,13 @@ pub struct Simulation {
     pub problem: ContactProblem,
     /// Solver of the contact steps.
     pub solver: Arc<dyn Solver>,
-    /// Solver of friction, where the motion tells slip from stick.
+    /// Solver of friction, where the motion separates slip from stick.
     pub friction_solver: Arc<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
     /// The same run on coarser grids, where an accuracy is asked for.
     pub(crate) companions: Option<Companions>,
-    /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
+    /// Lowest gap (m) of pairs next to the frame, which no solve may come closer to; none but in a
     /// [window](super::placed::Placed::windowed).
     pub(crate) beside: f64,
     /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].

@@ -1,4 +1,4 @@
-//! Fields carried on to pairs of which nothing is known.
+//! Fields carried on to pairs that nothing is known of.
 //!
 //! Pairs that the contact has just reached, or will reach, go through what their neighbours do. They are given the
 //! mean of the neighbours that are known, and so on outwards.
@@ -43,7 +43,7 @@ fn outwards(mut field: Vec<f64>, mut known: Vec<bool>, [nx, ny]: [usize; 2]) -> 
     field
 }
 
-/// Where pairs have no rows, from the nearest of which something is known.
+/// Where pairs have no rows, from the nearest that something is known of.
 fn from_the_nearest(mut field: Vec<f64>, is_known: &[bool], frame: &ContactFrame) -> Vec<f64> {
     let known: Vec<usize> = (0..is_known.len()).filter(|&pair| is_known[pair]).collect();
     let distance = |pair: usize, other: usize| {

@@ -2,7 +2,7 @@
 //!
 //! The frame is a part of an endless grid. Pressures open the gaps beyond it, so that only places touch there whose gap is less
 //! than the approach: their gaps are known from the profiles, and what the pressures open them by at least from the
-//! compliance, of which layers have no bound. Where that does not keep them open, or the contact comes to the rim of the frame,
+//! compliance, and layers have no bound of it. Where that does not keep them open, or the contact comes to the rim of the frame,
 //! the frame has to grow.
 
 use std::ops::Range;
@@ -26,7 +26,7 @@ const BLOCK: usize = 8;
 const OPEN: isize = 2;
 
 /// Part of the frame that it grows by at least at a side: a contact that grows to n times its width then meets a number of
-/// frames like log n, each of which takes kernels and a step anew. How many there are changes no result.
+/// frames like log n, and each takes kernels and a step anew. How many there are changes no result.
 const ROOM: usize = 8;
 
 /// How many elements more a frame needs at the lower and the upper side along x, and along y.
@@ -186,7 +186,7 @@ fn room(problem: &ContactProblem, axis: usize) -> [usize; 2] {
 /// Places agree to this part of an element: far above what rounding makes of a place among thousands of elements.
 const ROUNDING: f64 = 1e-6;
 
-/// A range along an axis in blocks, of which none lies in part within the first `count` elements, and whether it lies there.
+/// A range along an axis in blocks, none of them in part within the first `count` elements, and whether it lies there.
 fn cut(near: &Range<isize>, count: isize) -> Vec<([isize; 2], bool)> {
     let blocks = |from: isize, to: isize, within: bool| {
         let last = move |first: isize| (first + BLOCK as isize).min(to) - 1;
@@ -209,7 +209,7 @@ fn gap(problem: &ContactProblem, place: [isize; 2]) -> f64 {
 }
 
 /// The elements in which readings of measured surfaces lie, counted from the first one of the frame. Shapes given by formulas
-/// are looked at in a few places beside them.
+/// are looked at in a few places next to them.
 fn readings(problem: &ContactProblem, grows: [bool; 2]) -> impl Iterator<Item = [isize; 2]> {
     let frame = &problem.frame;
     let (rectangle, spacing) = (frame.rectangle(), frame.spacing());

@@ -14,7 +14,7 @@ use crate::frame::ContactFrame;
 use crate::numerics::vector::map;
 use crate::problem::ContactState;
 
-/// Closing of an open pair, relative to the largest gap that has closed, below which its ratio tells nothing.
+/// Closing of an open pair, relative to the largest gap that has closed, below which its ratio gives nothing.
 const CLOSES: f64 = 0.1;
 /// The largest factor by which courses are taken to converge.
 const FACTOR: f64 = 0.9;
@@ -43,7 +43,7 @@ impl Before {
         (0..self.gap.len()).filter(has_closed)
     }
 
-    /// The ratios of an increment; `None` where no pair has closed, or none that is open tells.
+    /// The ratios of an increment; `None` where no pair has closed, or none that is open shows it.
     pub fn course(&self, state: &ContactState, frame: &ContactFrame) -> Option<Course> {
         let slip = &state.tangential.as_ref()?.slip;
         let widest = self.closed(state).map(|pair| self.gap[pair]).fold(0.0, f64::max);
@@ -92,7 +92,7 @@ impl Before {
 
     /// The course that a series of them goes to: with `from`, an increment shows `to[0]`, and with that `to[1]`.
     ///
-    /// The tractions of an increment answer to any course, and only what they leave at the edge of the contact tells
+    /// The tractions of an increment answer to any course, and only what they leave at the edge of the contact gives
     /// it from the right one: the series converges slowly, by nearly the same factor each time, and is extrapolated
     /// (A. C. Aitken, *Proc. R. Soc. Edinburgh* 46 (1926) 289).
     pub fn limit(&self, state: &ContactState, from: Option<&Course>, to: [&Course; 2]) -> Course {

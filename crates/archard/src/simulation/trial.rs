@@ -74,7 +74,7 @@ pub(super) struct Way<'a> {
 
 impl Way<'_> {
     /// By what share the pairs that join the contact of the fine history wear less than the deepest one does under the same
-    /// pressure, and by what share the deepest one wears less than they do; 0 where no law goes by what was before.
+    /// pressure, and by what share the deepest one wears less than they do; 0 where no law depends on what was before.
     fn less_wear(&self, end: &ContactState, deepest: usize) -> [f64; 2] {
         if !self.problem.remembers() {
             return [0.0; 2];
@@ -111,7 +111,7 @@ impl Trial {
         let last = fine_pressure[deepest];
         let [before, middle] =
             [&fine_before.pressure, way.pressure].map(|pressure| pressure[deepest]);
-        // Where a law is not straight in the pressure, or changes by itself, the wear of both halves tells more.
+        // Where a law is not straight in the pressure, or changes by itself, the wear of both halves gives more.
         let worn_in = |from: &Depths<'_>, to: &Depths<'_>| both(to, deepest) - both(from, deepest);
         let halves = [worn_in(&fine_began, way.worn), worn_in(way.worn, &fine_worn)];
         let of_wear = relative_change(halves[0], halves[1]);

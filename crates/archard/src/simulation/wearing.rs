@@ -15,7 +15,7 @@ use crate::problem::{ContactProblem, ContactState, Gap};
 
 /// Times a step's wear is foreseen before it counts as not converged.
 const PASSES: usize = 50;
-/// How steep the energy may end, beside how it began, on a way that is gone to its end.
+/// How steep the energy may end, relative to how it began, on a way that is gone to its end.
 const STEEPER: f64 = 0.5;
 const HALVINGS: usize = 16;
 

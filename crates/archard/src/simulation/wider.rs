@@ -2,7 +2,7 @@
 //!
 //! A scar grows to many times the contact that it began with. Elements that resolve the first contact are more than the
 //! scar needs at the end: as many elements, twice as large, hold twice its width. Lines of contact have elements enough, and
-//! measure their approach from a depth that goes by the width of the frame.
+//! measure their approach from a depth that depends on the width of the frame.
 
 use std::iter::successors;
 

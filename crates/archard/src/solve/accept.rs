@@ -197,7 +197,7 @@ mod tests {
         }
     }
 
-    /// A start that bears nothing is none, and a failure is one.
+    /// A start that bears nothing does not count, and a failure is one.
     #[test]
     fn what_bears_nothing_is_no_start() {
         let (claims, fails) = (Status::Converged, Status::OutOfIterations);

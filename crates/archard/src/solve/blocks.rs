@@ -3,7 +3,7 @@
 /// Fewest elements along an axis that are worth coarser ones. A choice of cost: a start does not change what is found.
 pub(in crate::solve) const FEWEST: usize = 12;
 
-/// Elements and those of twice the size, the first of which begin together.
+/// Elements and those of twice the size: the first of both begin together.
 pub(in crate::solve) struct Blocks {
     pub fine: [usize; 2],
     pub coarse: [usize; 2],

@@ -47,7 +47,7 @@ pub struct Step<'a> {
     pub compliance: &'a dyn Compliance,
     /// Gap of the undeformed surfaces at zero approach, wear included (m), one value a pair.
     pub gap: &'a [f64],
-    /// What a pressure on a pair opens its gap by beside the elasticity (m/Pa): one value a pair.
+    /// What a pressure on a pair opens its gap by next to the elasticity (m/Pa): one value a pair.
     pub addition: &'a [f64],
     /// Number of pairs along x and y, where they form a grid.
     pub elements: [usize; 2],

@@ -1,6 +1,6 @@
 //! A normal step solved on the part of the frame around its contact, where that is much smaller.
 //!
-//! What is far from the contact has to stay open: the pressures that were found open the gaps beside the part by one application
+//! What is far from the contact has to stay open: the pressures that were found open the gaps next to the part by one application
 //! of the compliance to all pairs whose gap is less than the approach. Where a pair touches there, the part grows, and the step
 //! is solved again from where it is.
 
@@ -15,7 +15,7 @@ use crate::motion::Control;
 use crate::numerics::vector::map;
 
 /// Elements of a part on each side of those that may touch, relative to their number: the contact has room to grow. A choice of
-/// cost: what is beside a part is known to be open, whatever its size.
+/// cost: what is next to a part is known to be open, whatever its size.
 const ROOM: f64 = 1.0 / 16.0;
 
 /// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
@@ -100,7 +100,7 @@ fn solve_on(
         gap: &gap,
         addition: &addition,
         elements: part.size(),
-        // That all pairs of a part touch is for what is beside it to judge.
+        // That all pairs of a part touch is for what is next to it to judge.
         measure: Measure { closed: true, ..step.measure },
         control: step.control,
         hardness: step.hardness,
@@ -118,7 +118,7 @@ fn solve_on(
     })
 }
 
-/// The outcome with what is known beside its part: where the start solved the step but for its load, all that is displaced
+/// The outcome with what is known next to its part: where the start solved the step but for its load, all that is displaced
 /// in proportion.
 fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
     let (Some(start), Some(part)) = (start, outcome.part) else { return outcome };
@@ -140,7 +140,7 @@ fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcom
     }
 }
 
-/// An extent and all pairs beside it that touch under these pressures (Pa) at an approach (m), and how often the compliance was
+/// An extent and all pairs next to it that touch under these pressures (Pa) at an approach (m), and how often the compliance was
 /// applied to know that. Only pairs whose gap is less than the approach can touch, so that the pressures need displace no more
 /// than a part around these.
 fn reach(step: &Step<'_>, (pressure, approach): (&[f64], f64), inner: &Extent) -> (Extent, usize) {

@@ -132,7 +132,7 @@ impl<'a> Iteration<'a> {
         let excess_of = |force: f64| (force / load).cbrt().powi(2) - 1.0;
         let [mut little, mut much] = [lowest, f64::INFINITY];
         let mut last = (lowest, -1.0);
-        // A guess at which nothing touches is none.
+        // A guess at which nothing touches does not count.
         let mut approach = if guess > lowest { guess } else { first_guess(self.step).1 };
         loop {
             let outcome = self.settle(approach);

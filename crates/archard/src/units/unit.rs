@@ -25,7 +25,7 @@ impl Unit {
     const ONE: Self = Self { dimension: Dimension::NUMBER, tens: 0.0, factor: 1.0, zero: 0.0 };
 
     fn times(self, other: Self) -> Self {
-        // A one beside a unit makes no product of it.
+        // A one next to a unit makes no product of it.
         if other == Self::ONE {
             return self;
         }
@@ -116,7 +116,7 @@ fn factor(rest: &mut Peekable<Chars>, depth: usize) -> Result<Unit, Error> {
     Ok(unit.to_the(power(rest)?))
 }
 
-/// The power behind a factor, one where there is none.
+/// The power behind a factor, one where none exists.
 fn power(rest: &mut Peekable<Chars>) -> Result<f64, Error> {
     const MISSING: Error = Error::Malformed("`^` needs a number behind it");
     let raised = take_while(rest, |c| superscript(c).is_some());

@@ -3,7 +3,7 @@
 //! The molecules of ultra-high molecular weight polyethylene turn into the direction of sliding and resist it there; what
 //! slides across them wears. Over a cycle the integral M of p e e^T over the slip, e the direction of slip, has the
 //! principal orientation as the vector of its larger eigenvalue, and CS = l2 / (l1 + l2) is the share of the sliding across it:
-//! 0 along one line, 1/2 in all directions alike. Where directions are spread evenly over +-a from a line,
+//! 0 along one line, 1/2 in all directions equally. Where directions are spread evenly over +-a from a line,
 //! CS = (1 - sin(2 a) / (2 a)) / 2, the factor of A. Wang, *Wear* 248 (2001) 38: his k = 2 k1 CS. L. Kang, A. L. Galvin,
 //! T. D. Brown, Z. Jin and J. Fisher, *J. Biomech.* 41 (2008) 340, have k grow with CS from a value of its own in one line.
 //!
@@ -56,7 +56,7 @@ pub struct CrossShear {
 }
 
 impl CrossShear {
-    /// The law with the wear coefficients (1/Pa) of slip along one line and of slip in all directions alike, linear in
+    /// The law with the wear coefficients (1/Pa) of slip along one line and of slip in all directions equally, linear in
     /// between.
     ///
     /// # Errors

@@ -4,7 +4,7 @@
 //! friction per area W, and in a cycle only by what goes beyond a threshold W0, depth = alpha max(W - W0, 0). Where all
 //! slides under Coulomb's law W = mu p s, and the law without threshold is Archard's with k = alpha mu.
 //!
-//! Limits: all work wears alike, whatever the pressure, the speed and the temperature. Debris is not followed.
+//! Limits: all work wears equally, whatever the pressure, the speed and the temperature. Debris is not followed.
 
 use super::{Input, Per, Rubbing, WearLaw};
 use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};

@@ -77,7 +77,7 @@ struct Between {
 }
 
 impl Between {
-    /// A place among rising edges, of which the first is zero.
+    /// A place among rising edges, the first of them zero.
     fn of(edges: &[f64], place: f64) -> Self {
         let low = |edge: &f64| (1.0 - EDGE) * edge <= place;
         let above = edges.iter().rposition(low).unwrap_or_default();

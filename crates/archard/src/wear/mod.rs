@@ -48,7 +48,7 @@ pub enum Per {
     Cycle,
 }
 
-/// What a law may ask for beside pressure and slip. It is left out of the [`Columns`] of a law that does not ask for it;
+/// What a law may ask for besides pressure and slip. It is left out of the [`Columns`] of a law that does not ask for it;
 /// a problem that does not have it is refused.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +73,7 @@ pub enum Input {
 
 /// Depth of wear from rubbing.
 pub trait WearLaw: Debug + Send + Sync {
-    /// What it asks for beside pressure and slip; a problem without is refused.
+    /// What it asks for besides pressure and slip; a problem without is refused.
     fn inputs(&self) -> &[Input] {
         &[]
     }

@@ -92,7 +92,7 @@ impl Power {
         })
     }
 
-    /// The same law that goes by the speed too, with an exponent n, and the speed (m/s) at which k holds.
+    /// The same law that depends on the speed too, with an exponent n, and the speed (m/s) at which k holds.
     ///
     /// # Errors
     /// If the exponent is not between -20 and 20, or the speed not greater than zero.

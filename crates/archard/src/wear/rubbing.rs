@@ -101,12 +101,12 @@ impl Rubbing {
     }
 
     /// How much the directions of slip cross each other: the smaller eigenvalue of the [integral](Self::directions) over
-    /// its trace, from zero of slip along one line to a half of slip in all directions alike.
+    /// its trace, from zero of slip along one line to a half of slip in all directions equally.
     pub fn cross_shear(&self) -> f64 {
         let [x, y, both] = self.directions;
         let trace = x + y;
         let smaller = 0.5 * (trace - (x - y).hypot(2.0 * both));
-        // What rounding leaves of slip along a line is none.
+        // What rounding leaves of slip along a line does not count.
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 

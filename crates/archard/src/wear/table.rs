@@ -4,7 +4,7 @@
 //! speed or the temperature. It is straight between them and held beyond the first and the last. Over the distance it is integrated exactly;
 //! over the depth it is that before the step. Finite element programs tabulate it in the same way (Abaqus, *surface wear*).
 //!
-//! Limits: over the depth a step has to be short beside the depths of the table. Over the pressure the depth must not fall
+//! Limits: over the depth a step has to be short against the depths of the table. Over the pressure the depth must not fall
 //! as the pressure grows.
 
 use super::{Input, Rubbing, WearLaw};

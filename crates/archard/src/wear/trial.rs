@@ -45,7 +45,7 @@ pub fn try_out(law: &dyn WearLaw) -> Result<(), Invalid> {
     if law.per() == Per::Increment { adds_up(law, &all) } else { Ok(()) }
 }
 
-/// All that a law asks for beside pressure and slip, in all combinations; the work is that of slip.
+/// All that a law asks for besides pressure and slip, in all combinations; the work is that of slip.
 fn surroundings(inputs: &[Input]) -> Vec<Rubbing> {
     let mut all = vec![Rubbing::default()];
     let mut vary = |input, values: &[f64], set: fn(Rubbing, f64) -> Rubbing| {
@@ -173,7 +173,7 @@ fn adds_up(law: &dyn WearLaw, all: &[Rubbing]) -> Result<(), Invalid> {
     }
 }
 
-/// What a law goes by, with its values at a point: "p = 1e8 Pa, s = 1e-3 m".
+/// What a law depends on, with its values at a point: "p = 1e8 Pa, s = 1e-3 m".
 fn place(law: &dyn WearLaw, point: &Rubbing) -> String {
     let friction = law.inputs().contains(&Input::Friction).then_some(("mu", point.friction, ""));
     let numbers = NUMBERS.iter().filter(|number| law.inputs().contains(&number.input));

@@ -15,7 +15,7 @@ pub(super) const TOLERANCE: &str = "tolerance";
 
 impl Resolved {
     /// The simulation of the case, as `build` makes it, and the case with the elements, tolerance and increments that its accuracy
-    /// takes: coarser runs come first, of which `watch` is told. Where no accuracy is asked for the case stays as it is.
+    /// takes: coarser runs come first, which `watch` is shown. Where no accuracy is asked for the case stays as it is.
     ///
     /// # Errors
     /// If a run cannot be built, a companion fails, or elements are too few to estimate their error.

@@ -15,11 +15,11 @@ const WINDOW: usize = 64;
 const OF_A_LINE: usize = 512;
 /// Share of the window that the contact fills at least.
 const FILLED: f64 = 0.25;
-/// Size of the next window beside the contact in this one.
+/// Size of the next window relative to the contact in this one.
 const AROUND: f64 = 1.6;
 /// Windows, at most.
 const WINDOWS: usize = 40;
-/// Size of the first window where surfaces have no end, beside the root of load over modulus and beside the approach.
+/// Size of the first window where surfaces have no end, relative to the root of load over modulus and to the approach.
 const BY_LOAD: f64 = 10.0;
 const BY_APPROACH: f64 = 100.0;
 

@@ -24,7 +24,7 @@ use archard::motion::{Lever, MOTIONS, Slip};
 use archard::numerics::counted;
 use locate::Lost;
 
-/// Extent of the frame beside the contact that is foreseen.
+/// Extent of the frame relative to the contact that is foreseen.
 const BESIDE: f64 = 1.15;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;

@@ -44,7 +44,7 @@ impl Display for BesideHalfSpace {
 }
 
 impl Case {
-    /// What half-spaces in the place of meshed bodies would change; empty where no closed form tells the load and
+    /// What half-spaces in the place of meshed bodies would change; empty where no closed form gives the load and
     /// the approach. A mesh from a file cannot be made coarser and is left out.
     pub fn beside_half_spaces(&self) -> Vec<BesideHalfSpace> {
         let contact =

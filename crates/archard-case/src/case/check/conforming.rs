@@ -9,7 +9,7 @@ use archard::compliance::bem::contact::Meeting;
 use archard::estimate::{Contact, Estimate};
 use archard::frame::Pairs;
 
-/// The meshed body whose radius Hertz's contact is wide beside, and how wide relative to it.
+/// The meshed body whose radius Hertz's contact is wide against, and how wide relative to it.
 pub(super) fn conforms<'a>(parts: &'a Parts<'_>, contact: &Contact) -> Option<(&'a str, f64)> {
     let wide = parts.bodies.iter().filter_map(|body| {
         let finite = body.finite.as_ref()?;

@@ -1,4 +1,4 @@
-//! Wear coefficients by pressure and distance, and by the work of friction, beside each other.
+//! Wear coefficients by pressure and distance, and by the work of friction, next to each other.
 
 use std::fmt;
 

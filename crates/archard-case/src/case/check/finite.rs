@@ -44,7 +44,7 @@ pub struct Finiteness {
 }
 
 impl Finiteness {
-    /// That of every meshed body, where a closed form tells the load and the approach.
+    /// That of every meshed body, where a closed form gives the load and the approach.
     pub(super) fn of(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Self> {
         let Some((contact, approach)) = contact.and_then(|one| Some((one, one.approach?))) else {
             return vec![];

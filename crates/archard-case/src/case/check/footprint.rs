@@ -8,7 +8,7 @@ use archard::motion::{Sequence, Shift, Stepping};
 use archard::solve::monolithic::factors_memory;
 
 // Counted from the algorithms, not fitted. The peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two
-// threads, beyond the 22 MB of a debug build, per pair with N elements squared, beside what is counted:
+// threads, beyond the 22 MB of a debug build, per pair with N elements squared, besides what is counted:
 // - `pin_on_disc` 367 bytes (N = 512), counted 256; with a tolerance 540, counted 448; `hertz` 390, counted 480;
 // - `twin_disc` without revolutions 310 (256), counted 300; `free_rolling_unlike` 2650 (256), counted 1660;
 // - one cycle of `fretting_sphere` in 20 increments 4590 (256), counted 4500; `spence` in 40 increments 14800 (128), counted

@@ -41,11 +41,11 @@ pub struct Forecast {
     pub pairs: usize,
     /// Meshed bodies that are computed by boundary elements, with their numbers of unknowns.
     pub unknowns: Vec<(String, usize)>,
-    /// What tells how meshed bodies deform, in words: the body, that, and why where the case does not say so.
+    /// What says how meshed bodies deform, in words: the body, that, and why where the case does not say so.
     pub ways: Vec<(String, &'static str, Option<&'static str>)>,
     /// Bodies whose mesh is a file, with their surfaces.
     pub files: Vec<(String, Vec<Listed>)>,
-    /// What meshed bodies may differ by from half-spaces; empty where no closed form tells.
+    /// What meshed bodies may differ by from half-spaces; empty where no closed form says.
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
     pub memory: f64,
@@ -108,7 +108,7 @@ fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
     meshed.map(|(body, finite)| (body.name.clone(), size(finite).unknowns)).collect()
 }
 
-/// What tells how meshed bodies deform.
+/// What says how meshed bodies deform.
 fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> {
     let way = |body: &BodyCase| {
         let finite = body.finite.as_ref()?;

@@ -34,7 +34,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     }
 }
 
-/// A frame beside the middle, where bodies of known curvatures touch.
+/// A frame next to the middle, where bodies of known curvatures touch.
 fn beside(parts: &Parts<'_>) -> Option<Problem> {
     let curvatures = parts.subject().curvatures()?;
     let held = parts.case.frame.rectangle().about_origin();

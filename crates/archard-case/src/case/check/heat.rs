@@ -38,7 +38,7 @@ fn thermal(parts: &Parts<'_>, body: usize) -> Key {
     Key::of(["body", &parts.bodies[body].name, "thermal"])
 }
 
-/// Whether a law goes by the temperature: then its own errors say what is missing.
+/// Whether a law depends on the temperature: then its own errors say what is missing.
 fn asked(parts: &Parts<'_>) -> bool {
     let mut laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
     let grips = |law: &dyn Friction| law.inputs().contains(&Circumstance::Temperature);
@@ -46,7 +46,7 @@ fn asked(parts: &Parts<'_>) -> bool {
         || parts.friction.as_deref().is_some_and(grips)
 }
 
-/// Data that the motion does not need, beside those that it does.
+/// Data that the motion does not need, besides those that it does.
 fn idle(parts: &Parts<'_>, heating: Heating) -> Vec<Problem> {
     if parts.friction.is_none() {
         let warmed = (0..2).find(|&body| heating.warms(body)).unwrap_or_default();

@@ -273,7 +273,7 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     })
 }
 
-/// A contact wide beside a body's radius, where a half-space no longer stands for the body.
+/// A contact wide against a body's radius, where a half-space no longer stands for the body.
 fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let reach = forecast.estimate.reach()?;
     for body in &parts.bodies {

@@ -16,7 +16,7 @@ use archard::simulation::refusal;
 
 const AXES: [&str; 2] = ["x", "y"];
 
-/// What is wrong with meshed bodies, of which there is one at least.
+/// What is wrong with meshed bodies; there is one at least.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = on_the_zone(parts);
     if let Some((_, mirrored)) = parts.halved() {
@@ -158,7 +158,7 @@ fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Undetermined) -> Pro
     }
 }
 
-/// Supports of a surface all of which may touch.
+/// Supports of a surface that may touch all over.
 fn on_the_zone(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = vec![];
     for (body, finite) in parts.meshed() {

@@ -24,7 +24,7 @@ pub(in crate::case) fn too_large(memory: f64, free: f64) -> Option<Problem> {
 
 const FEWER: &str = "take fewer elements: half as many along both sides take a sixteenth; or halve the body by planes of `symmetry`, each of which leaves a quarter";
 
-/// The same for image fields, whose elements are small beside a zone near an edge.
+/// The same for image fields, whose elements are small against a zone near an edge.
 const NEAR: &str = "make the box smaller, move the zone away from its edges, or take a mesh around it: `elasticity = \"boundary_elements\"`";
 
 /// The same for files.

@@ -90,7 +90,7 @@ fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
     Some(parts.subject().largest_force(force(station), given)? * load)
 }
 
-/// Whether a body deforms as its shape tells: those of one elasticity then slip as well.
+/// Whether a body deforms as its shape gives: those of one elasticity then slip as well.
 fn shaped(parts: &Parts<'_>) -> bool {
     parts.meshed().any(|(_, finite)| finite.elasticity != Elasticity::HalfSpace)
 }
@@ -120,7 +120,7 @@ fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
     problems
 }
 
-/// Shifts that are not small beside the contact: pairs are taken to stay opposite each other.
+/// Shifts that are not small against the contact: pairs are taken to stay opposite each other.
 fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Problem> {
     let half_width = contact?.semi_axes.into_iter().fold(f64::INFINITY, f64::min);
     let reaches = shift.cycle.iter().map(|station| {
@@ -145,7 +145,7 @@ fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Pr
     })
 }
 
-/// Angles between oscillations of which there is only one.
+/// Angles between oscillations where there is only one.
 fn useless_phases(parts: &Parts<'_>) -> Vec<Problem> {
     let values = &parts.case.motion.values;
     let amplitudes = values.pair("amplitude").or(values.pair("force_amplitude"));

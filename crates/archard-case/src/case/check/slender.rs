@@ -19,7 +19,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     found.collect()
 }
 
-/// A warning where the longest element of a body, beside its thickness there, is too long.
+/// A warning where the longest element of a body, relative to its thickness there, is too long.
 pub(in crate::case) fn problem(body: &BodyCase, longest: f64) -> Option<Problem> {
     let line = verdict::slenderness(longest);
     (line.word() != Word::Good).then(|| {

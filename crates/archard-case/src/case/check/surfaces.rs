@@ -29,7 +29,7 @@ pub struct Surfaces {
 }
 
 impl Surfaces {
-    /// Of a motion with one amplitude; `None` of others, and where nothing tells the width of the contact.
+    /// Of a motion with one amplitude; `None` of others, and where nothing gives the width of the contact.
     pub(super) fn of(parts: &Parts<'_>) -> Option<Self> {
         if parts.case.motion.choice.name != "fretting" {
             return None;
@@ -78,7 +78,7 @@ fn along(case: &Case) -> Option<(usize, f64)> {
     }
 }
 
-/// Lets surfaces swing that wear, slip all over and move far beside the contact, where the case does not say how they meet.
+/// Lets surfaces swing that wear, slip all over and move far against the contact, where the case does not say how they meet.
 pub(in crate::case) fn settle(mut case: Case) -> Case {
     let values = &case.motion.values;
     let open = case.motion.choice.name == "fretting"

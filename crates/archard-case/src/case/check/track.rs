@@ -33,7 +33,7 @@ fn stays(parts: &Parts<'_>) -> Option<Problem> {
     Some(Problem::warning(motion(parts), message).at_name().help(help))
 }
 
-/// A track that is shorter than the contact on it, or than the frame where nothing tells how long the contact gets.
+/// A track that is shorter than the contact on it, or than the frame where nothing says how long the contact gets.
 fn short(parts: &Parts<'_>, track: &Track, axis: usize, forecast: &Forecast) -> Option<Problem> {
     let reach =
         forecast.estimate.reach().map(|reach| reach[axis]).filter(|reach| reach.is_finite());

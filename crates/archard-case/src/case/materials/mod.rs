@@ -58,7 +58,7 @@ impl Named {
     /// The material of a name, or of another that it is known by; capitals and what is neither letter nor digit do not count.
     ///
     /// # Errors
-    /// If there is none, with the name nearest to it.
+    /// If none exists, with the name nearest to it.
     pub fn find(name: &str) -> Result<&'static Self, Unknown> {
         let written = plain(name);
         let known: Vec<(String, &'static str, &'static Self)> =

@@ -208,7 +208,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// The wear law, `Some(None)` where there is none; `None` if it is wrong.
+    /// The wear law, `Some(None)` where none exists; `None` if it is wrong.
     pub(super) fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
         let Some((key, entry)) = body.get("wear") else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;

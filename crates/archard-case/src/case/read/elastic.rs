@@ -66,7 +66,7 @@ impl Reader<'_> {
     /// The sections on which they are put out.
     fn sections(&mut self, root: &Section<'_>) -> Option<Vec<elastic::Section>> {
         let Some((key, entry)) = root.get("output") else { return Some(vec![]) };
-        // Complained about already if it is none.
+        // Complained about already if it cannot be one.
         let Item::Table(output) = &entry.node.item else { return None };
         let Some((key, entry)) = (Section { key, table: output }).get("sections") else {
             return Some(vec![]);

@@ -161,7 +161,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What tells how the body deforms, and whether the case says so.
+    /// What says how the body deforms, and whether the case says so.
     fn elasticity(&mut self, body: &Section<'_>) -> Option<(Elasticity, bool)> {
         let Some((key, entry)) = body.get("elasticity") else {
             return Some((Elasticity::default(), false));

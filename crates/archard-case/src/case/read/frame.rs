@@ -186,7 +186,7 @@ impl Reader<'_> {
         self.places(key, entry, motion.progress.quantity, schedule.extent)
     }
 
-    /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read
+    /// The length (m) of a line of contact, `Some(None)` where the frame has no such line; `None` if that is wrong. Loads are read
     /// accordingly from here on.
     fn line_of_contact(&mut self, section: &Section<'_>) -> Option<Option<f64>> {
         let plane = self.boolean(section, "plane_strain")?;

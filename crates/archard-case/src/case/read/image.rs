@@ -15,7 +15,7 @@ use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::Item;
 
-/// The same body with what tells how it deforms, and why; on a frame of its own if there is one.
+/// The same body with what says how it deforms, and why; on a frame of its own if there is one.
 pub(super) fn chosen(finite: FiniteCase, framed: bool) -> FiniteCase {
     let with = FiniteCase { elasticity: Elasticity::Image, why: Some(FLAT), ..finite.clone() };
     match against(&finite, &with, framed) {

@@ -143,7 +143,7 @@ impl Reader<'_> {
         self.choice(&section, "motion", MOTIONS)
     }
 
-    /// The friction law, `Some(None)` where there is none; `None` if it is wrong.
+    /// The friction law, `Some(None)` where none exists; `None` if it is wrong.
     fn friction(&mut self, root: &Section<'_>) -> Option<Option<Chosen<Box<dyn Friction>>>> {
         let Some((key, entry)) = root.get("friction") else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;

@@ -83,7 +83,7 @@ impl Reader<'_> {
         self.of_bodies(root, bodies, ("sections", of_a_body), Self::sections_by_name)
     }
 
-    /// What of each body is put out beside its surface, in tables by the names of the bodies.
+    /// What of each body is put out besides its surface, in tables by the names of the bodies.
     pub(super) fn of_bodies<T>(
         &mut self,
         root: &Section<'_>,
@@ -93,7 +93,7 @@ impl Reader<'_> {
     ) -> Option<[Vec<T>; 2]> {
         let mut found = [vec![], vec![]];
         let Some((key, entry)) = root.get("output") else { return Some(found) };
-        // Complained about already if it is none.
+        // Complained about already if it cannot be one.
         let Item::Table(output) = &entry.node.item else { return Some(found) };
         let Some((key, entry)) = (Section { key, table: output }).get(name) else {
             return Some(found);

@@ -1,4 +1,4 @@
-//! What a wheel on its rail tells before any elasticity.
+//! What a wheel on its rail gives before any elasticity.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -12,7 +12,7 @@ use super::prepared::Prepared;
 /// Amplitude (m) of the lateral motion that the equivalent conicity is told for: that of UIC 519 and EN 15302.
 pub const AMPLITUDE: f64 = 3e-3;
 
-/// What the set-up tells before any elasticity.
+/// What the set-up gives before any elasticity.
 #[non_exhaustive]
 #[derive(Debug, Clone, Default)]
 pub struct WheelRailForecast {
@@ -29,7 +29,7 @@ pub struct WheelRailForecast {
 }
 
 impl Prepared {
-    /// What the set-up tells before any elasticity.
+    /// What the set-up gives before any elasticity.
     pub(super) fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
         let states = self.running.states()?;
         if !self.running.route.is_empty() || self.wears() != [false; 2] {

@@ -122,7 +122,7 @@ impl State {
     /// Puts a value (SI) in the place of the one of that name.
     ///
     /// # Errors
-    /// If there is none of that name, or it cannot have that value.
+    /// If none exists of that name, or it cannot have that value.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), Invalid> {
         if !value.is_finite() {
             return Err(Invalid::new(
@@ -228,7 +228,7 @@ impl State {
 }
 
 impl Running {
-    /// The points of the route; what is here where there is none.
+    /// The points of the route; what is here where none exists.
     ///
     /// # Errors
     /// If a column is not known, or a value cannot be used.

@@ -24,7 +24,7 @@ pub(super) struct Zone {
     /// From where to where the scar reaches (m), and the integral.
     pub scar: [f64; 2],
     pub all: [f64; 2],
-    /// Whether the scar runs through along that axis, alike all the way.
+    /// Whether the scar runs through along that axis, equally all the way.
     pub through: bool,
 }
 
@@ -81,7 +81,7 @@ impl Surface {
         Ok(Integral { shares, gaps, between })
     }
 
-    /// Refuses steps along an axis that are wide beside the zone: a profile has no place where it has no reading.
+    /// Refuses steps along an axis that are wide against the zone: a profile has no place where it has no reading.
     fn dense(&self, axis: usize, inside: &[usize], zone: Zone) -> Result<(), NoScar> {
         let places: Vec<f64> = inside.iter().map(|&index| self.places[axis][index]).collect();
         let widest = places.windows(2).map(|ends| ends[1] - ends[0]).fold(0.0, f64::max);

@@ -136,7 +136,7 @@ impl Surface {
         Ok(surface.without_spikes())
     }
 
-    /// The height map in the file of an instrument that tells its scale, by the ending of its name; `None` of any other
+    /// The height map in the file of an instrument that gives its scale, by the ending of its name; `None` of any other
     /// file, which is a table. The middle of the map is at 0, its first row has the lowest y. It may take so much memory
     /// (bytes).
     pub fn of_file(name: &str, bytes: &[u8], memory: f64) -> Option<Result<Self, NoSurface>> {
@@ -187,7 +187,7 @@ impl Surface {
         (0..self.heights.len()).map(|cell| self.at(cell)).filter(|own| !own[2].is_nan()).collect()
     }
 
-    /// The reading of a cell; its height is not a number where there is none.
+    /// The reading of a cell; its height is not a number where none exists.
     fn at(&self, cell: usize) -> Height {
         let columns = self.places[0].len();
         [self.places[0][cell % columns], self.places[1][cell / columns], self.heights[cell]]

@@ -63,7 +63,7 @@ pub enum NoScar {
         share: f64,
         /// Depth of the scar (m).
         deepest: f64,
-        /// Scatter beside it (m).
+        /// Scatter next to it (m).
         scatter: f64,
     },
 }

@@ -16,7 +16,7 @@ pub(super) fn repeats(values: &[f64], columns: usize) -> f64 {
 }
 
 /// The step (m) that heights are rounded to: the least difference between them that is not rounding itself; none where all
-/// are alike.
+/// are equal.
 pub(super) fn step(heights: &[f64]) -> f64 {
     let mut known = known(heights.iter().copied());
     known.sort_by(f64::total_cmp);

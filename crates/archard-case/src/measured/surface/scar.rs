@@ -1,7 +1,7 @@
-//! The scar on a measured surface, found by the readings alone: levelled by what lies beside it, and measured.
+//! The scar on a measured surface, found by the readings alone: levelled by what lies next to it, and measured.
 //!
 //! The level is first found roughly ([`rough`](super::rough)). What lies below it by more than chance, in one piece, is the
-//! scar; the plane is fitted anew to the readings beside it, and so on until the scar stays where it is. The middle of what
+//! scar; the plane is fitted anew to the readings next to it, and so on until the scar stays where it is. The middle of what
 //! is worn off counts as the middle of the contact, where the body had its apex.
 
 use super::super::plane::{BEYOND_CHANCE, DEBRIS, FEWEST, Height, Plane, ROUNDS};
@@ -28,7 +28,7 @@ impl<'a> Unworn<'a> {
 /// A scar, in the coordinates of the instrument.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scar {
-    /// The plane that the surface lay on beside its shape.
+    /// The plane that the surface lay on next to its shape.
     pub plane: Plane,
     /// The middle of the scar (m).
     pub middle: [f64; 2],
@@ -37,7 +37,7 @@ pub struct Scar {
     /// What is worn off: the section of a profile, or on average of the map of a track, square to it (m^2); the volume of a
     /// map (m^3).
     pub worn: f64,
-    /// Its standard uncertainty by the scatter beside the scar, the level, the step that heights are rounded to, and what
+    /// Its standard uncertainty by the scatter next to the scar, the level, the step that heights are rounded to, and what
     /// may lie between readings and in gaps (the same unit). Form error is not in it.
     pub uncertainty: f64,
     /// The greatest depth, averaged over a fiftieth of the surface along each axis (m).
@@ -48,7 +48,7 @@ pub struct Scar {
     pub gaps: usize,
 }
 
-/// Share of its width that the scar is measured beyond its edges, and beyond which readings lie beside it.
+/// Share of its width that the scar is measured beyond its edges, and beyond which readings lie next to it.
 const MARGIN: f64 = 0.1;
 const BESIDE: f64 = 0.15;
 /// Scatter, relative to the step that heights are rounded to, from which on rounding spreads as noise does: half a step of
@@ -61,7 +61,7 @@ impl Scar {
     /// The scar on a surface.
     ///
     /// # Errors
-    /// If none stands out, nothing lies beside it, or it is not told well enough.
+    /// If none stands out, nothing lies next to it, or it is not told well enough.
     pub fn find(surface: &Surface, unworn: Unworn<'_>) -> Result<Self, NoScar> {
         let mut middle = [0, 1].map(|axis| surface.extent(axis).iter().sum::<f64>() / 2.0);
         let mut level = surface.rough_level(&surface.less(unworn, middle))?;
@@ -93,7 +93,7 @@ impl Scar {
     }
 }
 
-/// The plane beside a scar, and in how many readings there is one that is independent.
+/// The plane next to a scar, and in how many readings there is one that is independent.
 #[derive(Debug, Clone, Copy)]
 struct Level {
     plane: Plane,
@@ -101,7 +101,7 @@ struct Level {
 }
 
 impl Level {
-    /// Of readings beside a scar; those of gaps and of the scar are not numbers.
+    /// Of readings next to a scar; those of gaps and of the scar are not numbers.
     fn of(surface: &Surface, beside: &[Height]) -> Option<Self> {
         let known: Vec<Height> = beside.iter().copied().filter(|own| own[2].is_finite()).collect();
         let plane = Plane::through(&known)?;
@@ -198,7 +198,7 @@ impl Surface {
         })
     }
 
-    /// Heights beside a scar, in the place of the others no number.
+    /// Heights next to a scar, in the place of the others no number.
     fn beside(
         &self,
         heights: &[Height],
@@ -230,7 +230,7 @@ impl Surface {
         let extent = self.with_through(piece, unworn.through)?;
         let depths = self.depths(unworn, middle, &level);
         let wide = wider(extent, MARGIN);
-        // The next reading beside the worn ones lies outside: as far as there the scar may reach.
+        // The next reading next to the worn ones lies outside: as far as there the scar may reach.
         let beside = [0, 1].map(|axis| {
             let places = &self.places[axis];
             match unworn.through[axis] || places.len() == 1 {
@@ -282,7 +282,7 @@ impl Surface {
         };
         let bent: f64 = (0..2).filter(|&axis| integral.between[axis] > 0.0).map(bent).sum();
         let by_angle = all * askew * about * angle.cos().powi(2);
-        // Without noise all of it may be rounded alike.
+        // Without noise all of it may be rounded equally.
         let step = step(&self.heights);
         let rounded = level.scatter() < DITHERED * step;
         let of_steps = if rounded { whole * step / 12f64.sqrt() } else { 0.0 };

@@ -93,7 +93,7 @@ fn gaps_are_bridged_as_far_as_they_are_few() {
     assert!(matches!(refused, NoScar::Gaps { .. }), "{refused}");
 }
 
-/// The map of a track tells its mean section.
+/// The map of a track gives its mean section.
 #[test]
 fn a_track_runs_through_its_map() {
     let mut random = Normal(fastrand::Rng::with_seed(10));
@@ -171,7 +171,7 @@ fn readings_that_failed_are_left_out() {
     }
 }
 
-/// A number that stands for lost readings is none, however many of them lie side by side.
+/// A number that stands for lost readings is not a height, however many of them lie side by side.
 #[test]
 fn marks_of_lost_readings_are_no_heights() {
     let mut random = Normal(fastrand::Rng::with_seed(24));

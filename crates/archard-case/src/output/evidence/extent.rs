@@ -3,7 +3,7 @@
 use archard::frame::ContactFrame;
 use archard::problem::ContactProblem;
 
-/// Elements across the pairs of which something holds: along the axis with the fewest on a grid; elsewhere the root of their
+/// Elements across the pairs that something holds for: along the axis with the fewest on a grid; elsewhere the root of their
 /// number, or what fits of their edges along an axis, if that is less: a ring of many narrow elements resolves nothing across.
 /// `None` where there are none. Along an axis with one element nothing is resolved on purpose.
 pub(super) fn across(problem: &ContactProblem, holds: impl Fn(usize) -> bool) -> Option<f64> {

@@ -182,7 +182,7 @@ fn worst(known: &mut Option<f64>, found: Option<f64>) {
     }
 }
 
-/// The larger of two numbers, or what is none.
+/// The larger of two numbers, or the one that is not a number.
 fn keep(known: Option<f64>, found: f64) -> f64 {
     known.filter(|known| *known >= found || known.is_nan()).unwrap_or(found)
 }

@@ -33,7 +33,7 @@ const SPARE: u32 = 50;
 /// write.
 const PAIR: Duration = Duration::from_nanos(100);
 
-/// What the results of a run amount to, beside what is in their files.
+/// What the results of a run amount to, besides what is in their files.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Kept {
     /// The tables, in their order in the folder.
@@ -105,7 +105,7 @@ pub(super) fn write(place: &Place, kept: &Kept, run: &[u8]) -> Result<(), Error>
     place.write(&[FORMAT.as_bytes(), &content].concat())
 }
 
-/// What was kept in a folder of a simulation: the results so far, and the run, all of which belong together.
+/// What was kept in a folder of a simulation: the results so far, and the run, which belong together.
 ///
 /// # Errors
 /// If there is nothing, it is of another simulation, or the files are not those of these results.
@@ -136,7 +136,7 @@ fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
 /// What the checkpoint in a folder holds that begins with that line.
 ///
 /// # Errors
-/// If there is none, or it is damaged or of another version.
+/// If none exists, or it is damaged or of another version.
 pub(super) fn open(dir: &Path, format: &str) -> Result<Vec<u8>, Error> {
     let path = dir.join(NAME);
     let refuse = |why: &'static str| Error::NoCheckpoint { dir: dir.to_owned(), why };

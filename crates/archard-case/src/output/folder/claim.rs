@@ -30,7 +30,7 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Makes the folder if there is none and holds it.
+    /// Makes the folder if none exists and holds it.
     ///
     /// # Errors
     /// If another run holds it, or it cannot be written to.
@@ -197,7 +197,7 @@ impl Claim {
     }
 }
 
-/// Files that every run in contact writes, beside its tables.
+/// Files that every run in contact writes, besides its tables.
 const FIXED: [&str; 4] = [CASE, SUMMARY, COLLECTION, checkpoint::NAME];
 
 /// The number of an output, by its name in the folder of results.

@@ -65,7 +65,7 @@ impl RouteKeeper {
     /// The route that was kept in a folder.
     ///
     /// # Errors
-    /// If there is none, it is damaged, or what it was computed from has changed.
+    /// If none exists, it is damaged, or what it was computed from has changed.
     pub fn find(&mut self, claim: &Claim) -> Result<Kept, Error> {
         let content = checkpoint::open(&claim.dir, FORMAT)?;
         let torn = || checkpoint::torn(&claim.dir);

@@ -103,7 +103,7 @@ fn bodies_that_slide_have_no_worn_profiles() {
     assert!(!dir.path().join("worn_profiles.csv").exists());
 }
 
-/// The section of the body that stays is the one through its middle, whatever the frame beside it; the track's is the mean of
+/// The section of the body that stays is the one through its middle, whatever the frame next to it; the track's is the mean of
 /// each line, as its points go through all of it.
 #[test]
 fn a_body_that_stays_on_a_track_shows_its_section() {

@@ -56,7 +56,7 @@ impl Key {
         (Self { name: name.to_owned(), words, column, levels, cells }, values)
     }
 
-    /// What stands beside its axis with values up to that (SI): words and the unit they are shown in.
+    /// What stands next to its axis with values up to that (SI): words and the unit they are shown in.
     pub fn axis(&self, largest: f64) -> (String, Unit) {
         (self.words.clone(), Unit::of_key(&self.column, largest).1)
     }

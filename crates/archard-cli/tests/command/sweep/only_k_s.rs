@@ -1,4 +1,4 @@
-//! Rows that differ in the wear coefficient alone, of which one run answers all.
+//! Rows that differ in the wear coefficient alone: one run answers all.
 
 use std::collections::HashMap;
 use std::fs;

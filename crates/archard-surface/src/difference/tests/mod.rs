@@ -187,7 +187,7 @@ fn the_scar_has_its_size() {
     }
 }
 
-/// A later map with half as many points each way, of a smaller part, and with holes tells the same volume.
+/// A later map with half as many points each way, of a smaller part, and with holes gives the same volume.
 #[test]
 fn other_pixels_and_holes_are_allowed() {
     let made = Made {

@@ -12,7 +12,7 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    /// Widths (m) that fill a length (m) beside an element of that width (m).
+    /// Widths (m) that fill a length (m) next to an element of that width (m).
     pub fn beside(self, width: f64, length: f64) -> Vec<f64> {
         self.fill(length, |ratio| self.geometric(width, ratio, 1))
     }
@@ -77,7 +77,7 @@ pub(super) struct Axis {
     pub zone: Range<usize>,
 }
 
-/// A field of a load on the middle part of an axis, seen from beside it: it varies over distances from the load.
+/// A field of a load on the middle part of an axis, seen from next to it: it varies over distances from the load.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fading {
     /// Half the length of the middle part (m).

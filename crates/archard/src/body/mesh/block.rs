@@ -126,7 +126,7 @@ impl Shape for Block {
     }
 }
 
-/// Elements on the sides of a block of which so many are kept along x, y and z.
+/// Elements on the sides of a block that keeps so many along x, y and z.
 fn elements([x, y, z]: [usize; 3], mirrored: [bool; 2]) -> usize {
     let [across_x, across_y] = mirrored.map(|mirrored| if mirrored { 1 } else { 2 });
     2 * x * y + across_x * y * z + across_y * x * z

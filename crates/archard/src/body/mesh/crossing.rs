@@ -8,7 +8,7 @@ use crate::numerics::SAME;
 use crate::numerics::triangle::distance;
 
 impl Mesh {
-    /// A place (m) where two of some shells touch or cross; `None` where each lies beside the others or within them.
+    /// A place (m) where two of some shells touch or cross; `None` where each lies next to the others or within them.
     pub(super) fn crossing(&self, shells: &[Vec<usize>]) -> Option<[f64; 3]> {
         let near = DVec3::splat(SAME * self.extent());
         let boxes: Vec<[DVec3; 2]> =

@@ -13,7 +13,7 @@ use crate::numerics::WRITTEN;
 
 /// What the polynomial may be off by, of the heights it explains, and how much of the curvature may twist.
 const OFF: f64 = 0.05;
-/// Height of one curvature beside that of the other below which the zone is a cylinder.
+/// Height of one curvature relative to that of the other below which the zone is a cylinder.
 const STRAIGHT: f64 = 0.01;
 /// Vertices that are needed at least, and as many as make it worth leaving out the outer half of the zone.
 const FEWEST: usize = 8;

@@ -5,14 +5,14 @@
 //! body reaches further from what holds it than it is thick. The errors are those of a cantilever of 10 x 1 x 1
 //! under end shear: 3 % with elements as long as it is thick, 1 % with two thirds of that.
 
-/// Longest element beside the local thickness.
+/// Longest element against the local thickness.
 const LONGEST: f64 = 2.0 / 3.0;
 /// Elements across a thickness that bends, at least.
 const ACROSS: f64 = 2.0;
 /// A span of fewer thicknesses is stocky: it does not bend enough to matter.
 const STOCKY: f64 = 2.0;
 
-/// Length of elements around a wall beside its thickness: shells under pressure were 0.9 % off with 1.9 and 28 % with 3.9, tubes
+/// Length of elements around a wall relative to its thickness: shells under pressure were 0.9 % off with 1.9 and 28 % with 3.9, tubes
 /// that bend 0.6 % with 2 and 1.4 % with 3.
 pub(super) const BESIDE_WALL: f64 = 2.0;
 /// Elements are not asked to be shorter than this share of a side: no memory would hold them.

@@ -59,7 +59,7 @@ impl Display for Listed {
     }
 }
 
-/// A length (m) in mm, to four digits of the largest beside it.
+/// A length (m) in mm, to four digits of the largest next to it.
 fn millimetres(value: f64, most: f64) -> String {
     let digits = 3.0 - (1e3 * most).log10().floor();
     let unit = 10f64.powf(digits.clamp(-3.0, 9.0));

@@ -124,7 +124,7 @@ pub trait Shape: Debug + Send + Sync {
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
 
     /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that centre and size (m), or on one
-    /// that is not known yet, below z = 0; `None` where the rectangle lies on no flat face, or an edge is so close that elements beside it are more than any mesh has.
+    /// that is not known yet, below z = 0; `None` where the rectangle lies on no flat face, or an edge is so close that elements at it are more than any mesh has.
     fn coarse(
         &self,
         _rectangle: Option<[[f64; 2]; 2]>,

@@ -25,7 +25,7 @@ pub(super) struct Refined {
 }
 
 impl Refined {
-    /// A mesh of which nothing is divided yet.
+    /// A mesh with nothing divided yet.
     pub fn new(mesh: Mesh, feature_angle: f64, mirrored: [bool; 2]) -> Self {
         let normals = Turns::of(&mesh).normals(feature_angle, mirrored);
         let origin = (0..mesh.faces.len()).collect();

@@ -110,7 +110,7 @@ impl<'a> Rings<'a> {
     }
 }
 
-/// That many edges in groups of two, from both ends alike.
+/// That many edges in groups of two, from both ends equally.
 fn joined(edges: usize) -> Vec<usize> {
     if edges.is_multiple_of(2) {
         return vec![2; edges / 2];

@@ -1,4 +1,4 @@
-//! How long elements are beside the thickness of the body below them, for meshes of any shape.
+//! How long elements are against the thickness of the body below them, for meshes of any shape.
 //!
 //! A ray from the middle of an element along its inward normal meets the other side at the local thickness. It
 //! counts where neither side is held, the sides face away from each other, and the body reaches further from what
@@ -12,7 +12,7 @@ use super::{Mesh, Meshed};
 use crate::numerics::{SAME, WRITTEN};
 
 /// Share of the surface that may have longer elements: at sharp edges any element is longer than the body is thick,
-/// and thin places beside holes do not bend.
+/// and thin places next to holes do not bend.
 const FEW: f64 = 0.1;
 /// Cosine between outward normals below which sides face away from each other.
 const OPPOSITE: f64 = -0.5;
@@ -28,7 +28,7 @@ struct Side {
     held: bool,
 }
 
-/// The longest element beside the thickness that bends below it, all but a few; `None` where nothing bends.
+/// The longest element against the thickness that bends below it, all but a few; `None` where nothing bends.
 pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
     let mesh = &meshed.mesh;
     let own: Vec<Side> = (0..mesh.faces.len()).map(|face| side(mesh, face, held)).collect();

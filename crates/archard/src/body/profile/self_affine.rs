@@ -115,7 +115,7 @@ impl SelfAffine {
         rising("long", given.short, given.long, "short")?;
         rising("period", given.long, given.period, "long")?;
         let exact = 0.5 * POINTS * given.period / given.short;
-        // Of points that fit to rounding there is none more.
+        // Of points that fit to rounding nothing more is found.
         let count = 2.0 * (exact * (1.0 - SAME)).ceil();
         if count > MOST {
             let message = format!(

@@ -42,7 +42,7 @@ pub struct Table {
 
 impl Table {
     /// Heights z (m), positive towards the other body, at points x and y (m) in any order that fill a rectangular
-    /// grid; with all x or all y alike, the height varies along the other axis alone.
+    /// grid; with all x or all y equal, the height varies along the other axis alone.
     ///
     /// # Errors
     /// If the lists differ in length, a value is not finite, the grid has holes, or a point is there twice.

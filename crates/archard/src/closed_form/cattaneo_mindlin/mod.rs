@@ -71,7 +71,7 @@ impl PartialSlip {
     }
 
     /// Shift (m) at a tangential force (N) that has risen from nothing; that of full sliding from mu P
-    /// on, where the force no longer tells it.
+    /// on, where the force no longer gives it.
     pub fn shift(&self, force: f64) -> f64 {
         let share = self.slip_share(force);
         force.signum() * self.sliding_shift * share * (2.0 - share)

@@ -16,7 +16,7 @@
 //! Q = mu R[P],  c < t < 1,  R[P](t) = -(2/pi) int_t^1 (t/s) K(sqrt(1 - (t/s)^2)) P'(s) ds,
 //! ```
 //!
-//! the last of which is q = mu p. Q and Q' are continuous at c: a bend, which a stick zone that shrinks
+//! and from c on q = mu p. Q and Q' are continuous at c: a bend, which a stick zone that shrinks
 //! has there, would take slip back in one that grows. That gives mu and B for a given c. Pressures and tractions are found in
 //! turn, P and Q linear between places that are dense at c and at the edge, the finite Hilbert
 //! transforms H exact for that.

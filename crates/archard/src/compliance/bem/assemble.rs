@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Displacements u that are known and tractions t that are given go to the right-hand side, tractions of
-//! contact to columns of their own, and other loads to columns beside that of what is known. The block of a node with itself follows from the displacement of a
+//! contact to columns of their own, and other loads to columns next to that of what is known. The block of a node with itself follows from the displacement of a
 //! rigid body, under which no traction acts. Nodes that mirror planes make act through images: the image of
 //! an element is the element seen from the image of the node.
 

@@ -12,15 +12,15 @@ use super::rules::{OF_AREAS, Places, Rules};
 use super::solid::Boundary;
 use super::surface::Surface;
 
-/// Least scale of forces beside the sum of all tractions.
+/// Least scale of forces against the sum of all tractions.
 const LEAST: f64 = 1e-3;
 
 /// What is left of the forces and the moments on a body, mirror images included.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Balance {
-    /// The resultant of all tractions beside the load.
+    /// The resultant of all tractions next to the load.
     pub force: f64,
-    /// Its moment about the middle of the surface beside the load times half of the body's extent.
+    /// Its moment about the middle of the surface next to the load times half of the body's extent.
     pub moment: f64,
 }
 

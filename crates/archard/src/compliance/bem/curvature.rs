@@ -4,7 +4,7 @@
 //! the part of Kelvin's tractions that couples directions, (1 - 2 nu)(e_i n_j - e_j n_i) / r^2, is odd on every
 //! element: under a smooth pressure, tangential displacements alternate from node to node by some
 //! u'' h^2 / (2 pi^2) (1 - 2 nu) / (2 - 2 nu), h long the element. With second derivatives from a quadratic
-//! polynomial through the nodes of the element and of those beside it in its plane, this is of the next order, on
+//! polynomial through the nodes of the element and of those next to it in its plane, this is of the next order, on
 //! parallelograms and what is nearly one.
 
 use std::collections::HashMap;
@@ -49,7 +49,7 @@ fn sides_of(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> {
 /// An element and the nodes around it, in its reference coordinates.
 struct Around {
     nodes: Vec<(usize, DVec3, DVec2)>,
-    /// Whether there are others beside it along s and along t.
+    /// Whether there are others next to it along s and along t.
     along: [bool; CURVATURES],
 }
 

@@ -61,7 +61,7 @@ pub(super) struct Tile<'a> {
     pub nodes: usize,
     /// Which of the curvatures are wanted, too.
     pub curvatures: [bool; CURVATURES],
-    /// Whether the displacements are wanted beside the tractions.
+    /// Whether the displacements are wanted besides the tractions.
     pub displacement: bool,
     /// The planes the points were mirrored at: -1 along their normals.
     pub image: [f64; 3],

@@ -1,4 +1,4 @@
-//! Loads of a body beside what its conditions say: tractions on its free faces and displacements of what is held.
+//! Loads of a body besides what its conditions say: tractions on its free faces and displacements of what is held.
 
 use faer::Mat;
 use glam::DVec3;

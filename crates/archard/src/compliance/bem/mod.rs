@@ -1,4 +1,4 @@
-//! A finite body by boundary elements: its surface is divided into elements, and Kelvin's solution tells how
+//! A finite body by boundary elements: its surface is divided into elements, and Kelvin's solution says how
 //! tractions and displacements on them belong together.
 
 mod alone;

@@ -109,7 +109,7 @@ impl Patch {
     }
 }
 
-/// Distance of a point from a face, of which each half is taken as plane.
+/// Distance of a point from a face, each half taken as plane.
 pub fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
     let first = triangle::distance(point, [corners[0], corners[1], corners[2]]);
     match corners.get(3) {

@@ -133,7 +133,7 @@ impl Rules {
         }
     }
 
-    /// Adds rules on parts of the element for a place beside it, on all of it for one that is far.
+    /// Adds rules on parts of the element for a place next to it, on all of it for one that is far.
     pub fn near(&self, patch: &Patch, point: DVec3, places: &mut Places) {
         let mut waiting = vec![whole_of(patch)];
         while let Some(part) = waiting.pop() {
@@ -144,7 +144,7 @@ impl Rules {
                 3 => [side(0, 1).max(side(1, 2)).max(side(0, 2)); 2],
                 _ => [side(0, 1).max(side(3, 2)), side(0, 3).max(side(1, 2))],
             };
-            // A place on an edge is beside every part.
+            // A place on an edge is next to every part.
             let size = half[0].max(half[1]);
             if away >= FAR * size || size <= SAME * patch.radius {
                 self.on(part, half.map(|half| self.order(away / half)), places);

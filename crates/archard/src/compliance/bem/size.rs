@@ -101,7 +101,7 @@ impl Size {
 }
 
 /// Memory (bytes) that the contact of two bodies takes at most at one time, `None` for those without mesh: each
-/// is condensed in turn beside what is left of the other, then both are brought to the pairs, which are those of
+/// is condensed in turn next to what is left of the other, then both are brought to the pairs, which are those of
 /// the first, and added up.
 pub fn memory(bodies: [Option<Size>; 2]) -> f64 {
     let [first, second] = match bodies {

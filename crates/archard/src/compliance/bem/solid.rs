@@ -99,7 +99,7 @@ impl<'a> Assembled<'a> {
         Ok(Self { surface, conditions, system, unit })
     }
 
-    /// Assembles the equations with other loads, each by itself, beside what is known.
+    /// Assembles the equations with other loads, each by itself, besides what is known.
     ///
     /// # Errors
     /// If there is no memory for them.
@@ -268,7 +268,7 @@ impl<'a> Solid<'a> {
         loads
     }
 
-    /// What loads beside what is known make of the body, each by itself.
+    /// What loads besides what is known make of the body, each by itself.
     pub fn loaded(self) -> Loaded {
         let Self { factors, mut fixed, unit, .. } = self;
         factors.solve_in_place(fixed.as_mut());
@@ -338,7 +338,7 @@ impl Responses {
     }
 }
 
-/// What is known of a body beside its equations.
+/// What is known of a body besides its equations.
 struct Known<'a> {
     surface: &'a Surface,
     conditions: &'a Conditions,

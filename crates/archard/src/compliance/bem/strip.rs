@@ -1,6 +1,6 @@
 //! The integrals of a block of nodes over one element after the other.
 //!
-//! Elements far from the block are seen alike by all of its nodes, which go through the places of one rule
+//! Elements far from the block are seen equally by all of its nodes, which go through the places of one rule
 //! together. Nearer ones are integrated for groups of nodes with the same rule, the nearest for each node by
 //! itself.
 

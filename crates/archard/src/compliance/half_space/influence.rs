@@ -195,7 +195,7 @@ impl Influence {
     }
 
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
-    /// elements away: as if all of it stood at its farthest corner, or edge. Layers may rise beside what presses them: there is
+    /// elements away: as if all of it stood at its farthest corner, or edge. Layers may rise next to what presses them: there is
     /// none.
     pub(super) fn least_nn(&self, away: [usize; 2]) -> f64 {
         if !self.images.is_empty() {

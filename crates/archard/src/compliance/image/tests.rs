@@ -227,7 +227,7 @@ fn what_is_missed_holds_what_moving_a_body_changes() {
         let known = still.missed(&even).unwrap();
         let stated = moved(way).unwrap().missed(&even).unwrap();
         assert!(changed > 2.0 * known, "{way}: {changed} {known}");
-        // The change is that between coarse meshes, each of which is off by what it misses.
+        // The change is that between coarse meshes, each off by what it misses.
         let off = known + there.missed(&even).unwrap();
         assert!((stated - changed - known).abs() <= off, "{way}: {stated} {changed} {known} {off}");
     }

@@ -155,7 +155,7 @@ impl Convolution {
         });
     }
 
-    /// Convolves two fields with a symmetric matrix of real spectra, of which (0, 1) is odd along both
+    /// Convolves two fields with a symmetric matrix of real spectra, (0, 1) of them odd along both
     /// axes, and takes from each result its own value one element upstream.
     pub fn apply_differenced(
         &self,
@@ -170,7 +170,7 @@ impl Convolution {
         });
     }
 
-    /// Convolves two fields with a symmetric matrix of real spectra, of which (0, 1) is odd along both
+    /// Convolves two fields with a symmetric matrix of real spectra, (0, 1) of them odd along both
     /// axes.
     pub fn apply_pair(
         &self,

@@ -15,7 +15,7 @@
 //!
 //! Where particles enter, nothing lies upstream. What is convected, a displacement, does not vanish
 //! outside the frame: the derivative is then taken from downstream, and
-//! [`Derivative::extrapolated`] tells where.
+//! [`Derivative::extrapolated`] says where.
 //!
 //! - M. Tabata, A finite element approximation corresponding to the upwind finite differencing,
 //!   Mem. Numer. Math. 4 (1977) 47-63.

@@ -30,7 +30,7 @@ struct Stage {
 /// the step (Alexander, SIAM J. Numer. Anal. 14 (1977), 1006, the method of two stages).
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 /// A short step of one stage at the end of a jump, relative to the others. A pair that joins between the stages of a step
-/// wears in the last one only, under up to 1 / GAMMA times the pressure beside it; here that levels out.
+/// wears in the last one only, under up to 1 / GAMMA times the pressure next to it; here that levels out.
 const LAST: f64 = 0.25;
 
 /// The stages of a jump over so many cycles in so many steps.
@@ -122,7 +122,7 @@ impl Wear {
 }
 
 impl Rate {
-    /// Of the cycle that shifted bodies have gone through, the most pressed instant of which is kept beside it.
+    /// Of the cycle that shifted bodies have gone through, with its most pressed instant.
     ///
     /// `cycle` is its number, the first being 1. `begun` holds the pressures (Pa) at its beginning where that is the same
     /// instant, one cycle earlier: a pair that has joined since was rubbed for a part of the cycle only, and is given what

@@ -2,7 +2,7 @@
 //!
 //! The cycles of a jump are worn at the rate of the cycle before it. The cycle computed behind it shows how
 //! the rate has changed, and the wear of the jump is taken again with a rate that changes evenly in the logarithm of the
-//! cycles: wear that begins from nothing goes by powers of them. Relative to the wear made, the difference e of the two is
+//! cycles: wear that begins from nothing depends on powers of them. Relative to the wear made, the difference e of the two is
 //! the error of the first. That of the second, which is kept, is taken to be 2 e^2 and what e would change by if the rate
 //! changed evenly in the cycles themselves. On balls of 40 x 40 elements, in partial and in gross slip, with one axis and
 //! with two, errors from 300 cycles on came to .04 to .68 of what is stated. Where pairs that stuck begin to slip, or the

@@ -110,7 +110,7 @@ impl Cycles {
         start: &Wear,
         length: usize,
     ) -> Result<Jumped, Error> {
-        // Tractions remember what was before the jump: they settle in a first cycle behind it, which also tells most of how
+        // Tractions remember what was before the jump: they settle in a first cycle behind it, which also gives most of how
         // the rate has changed.
         let settles = length > 1 && !setting.shift.released;
         let length = length - usize::from(settles);

@@ -18,7 +18,7 @@ use crate::simulation::setup::Simulation;
 use crate::solve::monolithic;
 use crate::solve::tangential::{self, PrescribedForce};
 
-/// What a solve left behind beside the state.
+/// What a solve left behind besides the state.
 #[derive(Default)]
 pub(super) struct Solved {
     /// Largest tractions (Pa) of the pairs.
@@ -89,7 +89,7 @@ impl History {
         ContactState { pressure, gap, surfaces: bare, tangential, ..*state }
     }
 
-    /// Finds the pressures under a gap (m) that friction opens beside.
+    /// Finds the pressures under a gap (m) that friction opens next to.
     pub(super) fn press_under(
         &mut self,
         simulation: &Simulation,
@@ -110,7 +110,7 @@ impl History {
     }
 
     /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it
-    /// opens the gap beside the pressures' own.
+    /// opens the gap next to the pressures' own.
     pub(super) fn displacement_under(
         &self,
         problem: &ContactProblem,

@@ -15,7 +15,7 @@
 //! of the pairs, in which the compliance is symmetric.
 //!
 //! Where bodies yield, pairs at the hardness are held there as others are at no pressure, until their gap opens: the scheme of
-//! I. A. Polonsky and L. M. Keer, *Wear* 231 (1999) 206, with a second bound. What a load leaves beside them is borne by the set
+//! I. A. Polonsky and L. M. Keer, *Wear* 231 (1999) 206, with a second bound. What a load leaves next to them is borne by the set
 //! alone. Where the set cannot, pressures are projected on those between the bounds that bear the load.
 
 mod set;
@@ -107,7 +107,7 @@ struct Iteration<'a> {
     /// Gap (m) at the present pressure and approach, and the same on the contact, zero elsewhere.
     gap: Vec<f64>,
     overlap: Vec<f64>,
-    /// The set: one where the pressure may change, zero elsewhere, where it is none or the hardness.
+    /// The set: one where the pressure may change, zero elsewhere, where it is nothing or the hardness.
     contact: Vec<f64>,
     /// What the preconditioner makes of the gap that an approach of one closes, on the contact, and the load of it.
     uniform: Vec<f64>,
@@ -272,7 +272,7 @@ impl<'a> Iteration<'a> {
                 [weight * (-overlap * direction), weight * curvature]
             },
         );
-        // A pair alone under a load has no direction to go: those that overlap beside it join it next.
+        // A pair alone under a load has no direction to go: those that overlap next to it join it next.
         let length = if curvature > 0.0 { slope / curvature } else { 0.0 };
         let [] = sweep(
             [&mut self.pressure, &mut self.displacement],

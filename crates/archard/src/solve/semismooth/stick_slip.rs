@@ -17,7 +17,7 @@ pub(in crate::solve) struct StickSlip {
 }
 
 impl StickSlip {
-    /// Pairs all of which are open.
+    /// Pairs that are all open.
     pub fn open(pairs: usize) -> Self {
         let zeros = || vec![0.0; pairs];
         let status = vec![PairStatus::Open; pairs];
@@ -34,7 +34,7 @@ impl StickSlip {
         self.sticking[pair] = 1.0;
     }
 
-    /// Lets a pair slip whose augmented traction is beyond its limit; `diagonal` (m/Pa) is what its row has beside the
+    /// Lets a pair slip whose augmented traction is beyond its limit; `diagonal` (m/Pa) is what its row has besides the
     /// map.
     pub fn slip(&mut self, pair: usize, beyond: &Beyond, diagonal: f64) {
         self.status[pair] = PairStatus::Slip { diagonal };

@@ -22,7 +22,7 @@ pub(super) struct Contraction {
     iterate: State,
     /// Step of the projection (Pa/m).
     step: f64,
-    /// Unit (m/Pa) in which a slip that is found counts beside the tractions.
+    /// Unit (m/Pa) in which a slip that is found counts against the tractions.
     unit: f64,
 }
 

@@ -58,7 +58,7 @@ pub struct Admissible<'a> {
     pub map: Map,
     /// Pairs whose tractions are shares of those of others.
     pub ties: &'a [Tie],
-    /// Pairs whose friction goes by the mean of two slips.
+    /// Pairs whose friction depends on the mean of two slips.
     pub turning: &'a [Turning],
 }
 

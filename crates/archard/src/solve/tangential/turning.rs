@@ -4,7 +4,7 @@ use super::{FrictionSolver, Outcome, Start, Step, Tie, tied};
 use crate::compliance::{Coarser, PairStatus, SlipMap};
 use crate::numerics::vector::map;
 
-/// A pair whose friction goes by the mean of its slip and that of the pair behind.
+/// A pair whose friction depends on the mean of its slip and that of the pair behind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Turning {
     /// The pair.
@@ -46,7 +46,7 @@ fn average(turning: &[Turning], slip: &mut [f64]) {
     turning.iter().zip(means).for_each(|(one, mean)| slip[one.pair] = mean);
 }
 
-/// A map to slips some of which are means.
+/// A map to slips, some of them means.
 #[derive(Debug)]
 struct Means<'a> {
     inner: &'a dyn SlipMap,

@@ -158,7 +158,7 @@ fn inputs(tape: &Tape) -> Vec<Input> {
     inputs
 }
 
-/// The constants a formula may name beside the variables.
+/// The constants a formula may name besides the variables.
 #[derive(Debug, Default)]
 struct Scope {
     constants: Vec<Constant>,

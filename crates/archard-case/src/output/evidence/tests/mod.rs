@@ -105,7 +105,7 @@ fn volumes_of_cycles_are_held_against_what_was_dissipated() {
     assert_eq!(volume(2.5, 2.0, 0.5), None);
 }
 
-/// Half of the pin sticks; all of it, which is no zone; and twin discs, of which none is asked.
+/// Half of the pin sticks; all of it, which is no zone; and twin discs, where nothing is asked.
 #[test]
 fn a_stick_zone_is_one_beside_slip() {
     let pin = Run::fretting([48, 48]);
@@ -203,7 +203,7 @@ fn pressures_are_rough_along_both_axes() {
     }
     let spike = found(&|x, y| if (x, y) == (4, 4) { 1.0 } else { 0.75 });
     assert_relative_eq!(spike.unwrap(), 0.25, max_relative = 1e-12);
-    // A ridge that rises evenly towards its middle is none.
+    // A ridge that rises evenly towards its middle is not an edge.
     assert_eq!(found(&|x, _| 1.0 - 0.1 * x.abs_diff(4) as f64), Some(0.0));
     assert_eq!(found(&|_, _| 1.0), Some(0.0));
 }

@@ -60,7 +60,7 @@ pub enum MeshProblem {
         /// Where (m).
         place: [f64; 3],
     },
-    /// Closed surfaces that are no cavities of one body: beside one another, or a core within a cavity.
+    /// Closed surfaces that are no cavities of one body: next to one another, or a core within a cavity.
     #[error(
         "the surface is that of {pieces} bodies, the second at {}: keep one (in Gmsh `BooleanUnion` makes one of parts that touch)",
         at(.place)
@@ -93,7 +93,7 @@ pub enum MeshProblem {
         /// A vertex at the end of the first (m).
         place: [f64; 3],
     },
-    /// Neighbours of which one is seen from outside and one from inside.
+    /// Neighbours, one seen from outside and one from inside.
     #[error(
         "neighbours at {edges} edges are seen from different sides, the first from the vertex {}: orient all elements counter-clockwise seen from outside (in Gmsh `gmsh.model.mesh.setOutwardOrientation(1)` for the volume 1, or `ReverseMesh Surface{{1}};` for the surface 1)",
         vertex(.place)

@@ -14,7 +14,7 @@ use crate::body::mesh::rings::{Rings, distance, widest_angle};
 use crate::body::mesh::tensor::{middle, patch};
 use crate::body::mesh::{Mesh, Meshed, Zone};
 
-/// Radius of a polygon with vertices at these angles (rad) beside that of the circle of its area.
+/// Radius of a polygon with vertices at these angles (rad) relative to that of the circle of its area.
 fn of_equal_area(angles: &[f64]) -> f64 {
     let widths = angles.windows(2).map(|pair| pair[1] - pair[0]);
     let (round, plane) =

@@ -54,7 +54,7 @@ fn weak_coupling_meets_the_closed_form() {
     }
 }
 
-/// Spence (1968): cones, spheres and blunter punches stick alike.
+/// Spence (1968): cones, spheres and blunter punches stick equally.
 #[test]
 fn the_profile_does_not_matter() {
     for stick_ratio in [0.3, 0.8] {

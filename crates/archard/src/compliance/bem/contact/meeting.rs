@@ -97,7 +97,7 @@ impl<'a> Meeting<'a> {
     }
 
     /// The equations of a meshed body and the tractions (Pa) on it, three a contact node in their bases, where
-    /// those of the pairs are given; `None` if something else tells how it deforms.
+    /// those of the pairs are given; `None` if something else says how it deforms.
     pub fn acting_on(&self, which: usize, tractions: &VectorField) -> Option<(Job<'_>, Vec<f64>)> {
         let of_pairs = |pair: usize| tractions.components().map(|along| along[pair]);
         let pairs: Vec<f64> = (0..self.pairs.gap.len()).flat_map(of_pairs).collect();
@@ -155,7 +155,7 @@ impl<'a> Meeting<'a> {
         nodes
     }
 
-    /// The contact, with what tells how meshed bodies deform.
+    /// The contact, with what says how meshed bodies deform.
     ///
     /// # Errors
     /// If equations have no solution.

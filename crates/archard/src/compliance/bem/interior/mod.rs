@@ -39,7 +39,7 @@ use somigliana::{Kernels, Source};
 /// How far outside a point may lie, relative to the size of the nearest element, to be taken as one of the
 /// surface: plane elements cut curved surfaces short. A point inside has to be as far away from all other sides.
 const OUTSIDE: f64 = 0.1;
-/// Least depth at which the identity tells stresses, relative to the size of the nearest element.
+/// Least depth at which the identity gives stresses, relative to the size of the nearest element.
 const SHALLOW: f64 = 0.25;
 
 /// Displacement and stress at a point of a body.

@@ -11,7 +11,7 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use super::super::surface::Surface;
 
-/// Least part of the largest possible determinant that tells that neighbours lie around an element, not in a row.
+/// Least part of the largest possible determinant that says that neighbours lie around an element, not in a row.
 const SPREAD: f64 = 1e-3;
 
 /// A gradient of displacement that is linear in the place.

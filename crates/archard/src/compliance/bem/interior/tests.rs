@@ -132,7 +132,7 @@ fn errors(divisions: usize, interpolation: Interpolation) -> [f64; 2] {
     })
 }
 
-/// Displacements of continuous elements are of second order, and the errors of stresses, of which the largest is 1, stay
+/// Displacements of continuous elements are of second order, and the errors of stresses, the largest of them 1, stay
 /// small near edges and corners; discontinuous elements with their second derivatives meet both to the tolerance.
 #[test]
 fn bending_is_met_at_any_depth() {

@@ -77,7 +77,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Solid, MeshFileError> {
     contents.solid(&source)
 }
 
-/// Reads the number a binary file begins with, which tells the order of bytes.
+/// Reads the number a binary file begins with, which gives the order of bytes.
 fn begin(source: &mut Source<'_>, binary: bool, size: i64) -> Result<(), MeshFileError> {
     source.binary = binary;
     if !binary {

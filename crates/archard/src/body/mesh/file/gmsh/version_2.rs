@@ -31,7 +31,7 @@ fn nodes(source: &mut Source<'_>, contents: &mut Contents) -> Result<(), MeshFil
     Ok(())
 }
 
-/// Elements have tags, of which the first is the physical group and the second the surface. A binary
+/// Elements have tags: the first is the physical group and the second the surface. A binary
 /// file has heads before some elements of one kind, a text a head before each.
 fn elements(source: &mut Source<'_>, contents: &mut Contents) -> Result<(), MeshFileError> {
     let count: u64 = source.parse("the number of elements")?;

@@ -78,7 +78,7 @@ fn bodies_beside_each_other_are_refused() {
 }
 
 /// Two parts that were never united, as CAD writes them: overlapping, one on the other with the larger face on either,
-/// and a bar through a cube of which no corner and no middle lies in the other.
+/// and a bar through a cube, no corner and no middle of either in the other.
 #[test]
 fn parts_that_touch_or_cross_are_refused() {
     let parts = [
