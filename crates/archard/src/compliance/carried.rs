@@ -21,7 +21,7 @@ const AT_ONCE: usize = 64;
 /// Columns found at once for the time of a single application, about.
 const FOR_ONE: usize = 5;
 
-/// The compliance of bodies of which one at least bears the contact on its own elements.
+/// The compliance of bodies, one of them at least with the contact on its own elements.
 pub struct Carried {
     pairs: usize,
     /// Normals of the pairs, where they differ.

@@ -10,7 +10,7 @@ const RINGS: usize = 18;
 
 impl ContactProblem {
     /// The largest difference of the pressure of a pair and of the polynomial of second degree closest to those of the pairs around it,
-    /// all of which bear some, relative to the largest pressure; `None` where no pair has so many around it, and without pressures.
+    /// where all these bear some, relative to the largest pressure; `None` where no pair has so many around it, and without pressures.
     ///
     /// Pressures follow the displacements that elements find: what these leave out shows in pressures that alternate, what is left out
     /// at the edge of a contact of few elements in waves from there. Either is a part of the error that no error of displacements has.

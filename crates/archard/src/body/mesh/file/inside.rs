@@ -112,7 +112,7 @@ impl Inside {
     /// The triangles near a place.
     ///
     /// # Errors
-    /// If there is none.
+    /// If there are none.
     pub fn near(&self, near: &Near, feature_angle: f64) -> Result<Zone, MeshError> {
         near.zone(self.mesh.clone(), feature_angle, [false; 2]).map(|(_, zone)| zone)
     }

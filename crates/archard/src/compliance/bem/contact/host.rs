@@ -246,7 +246,7 @@ impl<'a> Host<'a> {
 ///
 /// Where elements bear the contact, a node meets it in the mean by its function, and its pressure acts along the normals of the surface
 /// all around. Its area and its normal are the vector that this adds up to: taken at the node itself, normals would be off by what the
-/// mean lies beside it, and pressures would alternate however small the elements are.
+/// mean lies off it, and pressures would alternate however small the elements are.
 struct Means {
     places: Vec<DVec3>,
     normals: Vec<DVec3>,

@@ -103,7 +103,7 @@ pub enum ContactError {
         /// The body's index, 0 or 1.
         body: usize,
     },
-    /// A body of which nobody knows what is inside.
+    /// A body whose inside nobody knows.
     #[error(
         "body {} has no tetrahedra inside, which finite elements take; take `Elasticity::BoundaryElements`",
         .body + 1

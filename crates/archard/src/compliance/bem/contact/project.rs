@@ -15,7 +15,7 @@ pub(super) struct Hit {
     pub distance: f64,
 }
 
-/// How far a place may lie beside an element, relative to its size, to be taken as one of it: plane elements cut curved surfaces short,
+/// How far a place may lie outside of an element, relative to its size, to be taken as one of it: plane elements cut curved surfaces short,
 /// and end elsewhere than they do.
 const BESIDE: f64 = 0.1;
 
@@ -24,7 +24,7 @@ pub(super) fn project(point: DVec3, direction: DVec3, patches: &[Patch]) -> Opti
     within(point, direction, patches, WRITTEN)
 }
 
-/// The same, or one a little beside the elements.
+/// The same, or one a little outside of the elements.
 pub(super) fn project_beside(point: DVec3, direction: DVec3, patches: &[Patch]) -> Option<Hit> {
     let there = || within(point, direction, patches, BESIDE);
     project(point, direction, patches).or_else(there)
