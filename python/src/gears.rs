@@ -25,6 +25,6 @@ pub fn wear_gears(py: Python<'_>, file: &CaseFile) -> PyResult<Worn> {
     let results = away(py, &pool(Some(1))?, work).unless_interrupted()?;
     let results = results.map_err(PyValueError::new_err)?;
     let GearResults { names, worn, .. } = &results;
-    let life = worn.life.map(|(limit, error)| (names[limit.gear].clone(), error));
+    let life = worn.life.map(|(limit, error)| (names[limit.body].clone(), error));
     Ok((results.flanks(), results.course(), life))
 }

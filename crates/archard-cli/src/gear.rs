@@ -32,7 +32,7 @@ pub fn run(
         let (worn, pair) = (&results.worn, &results.mesh.pair);
         line("contact ratio", four(pair.contact_ratio()))?;
         line("peak pressure", format!("{} MPa", four(1e-6 * results.peak_pressure())))?;
-        line("meshes", four(worn.last().meshes))?;
+        line("meshes", four(worn.last().passages))?;
         for (gear, name) in results.names.iter().enumerate() {
             if results.mesh.laws[gear].is_none() {
                 continue;
@@ -57,10 +57,10 @@ pub fn run(
         match worn.life {
             Some((limit, error)) => {
                 let of =
-                    format!("{} um of `{}`", four(1e6 * limit.depth), results.names[limit.gear]);
+                    format!("{} um of `{}`", four(1e6 * limit.depth), results.names[limit.body]);
                 line(
                     "life",
-                    format!("{} meshes  +- {}, to {of}", four(worn.last().meshes), four(error)),
+                    format!("{} meshes  +- {}, to {of}", four(worn.last().passages), four(error)),
                 )?;
             }
             None if !results.limits.is_empty() => {

@@ -73,7 +73,7 @@ impl GearResults {
         let row = |moment: &Moment| {
             let deepest = |gear: usize| moment.depths[gear].iter().copied().fold(0.0, f64::max);
             let depth = |gear: usize| (format!("wear_depth_{}_m", self.names[gear]), deepest(gear));
-            vec![("meshes".to_owned(), moment.meshes), depth(0), depth(1)]
+            vec![("meshes".to_owned(), moment.passages), depth(0), depth(1)]
         };
         self.worn.course.iter().map(row).collect()
     }
@@ -163,7 +163,7 @@ fn judged(results: &GearResults) -> Verdict {
     lines.push(verdict::flanks(mesh.displaced(worn) / mesh.pair.pitch));
     lines.push(verdict::measured(results.relative_error(), "deepest wear of the flanks"));
     lines.extend(worn.life.map(|(_, error)| {
-        verdict::measured(error / worn.last().meshes, "meshes to the first limit")
+        verdict::measured(error / worn.last().passages, "meshes to the first limit")
     }));
     Verdict { lines }
 }
@@ -186,9 +186,9 @@ fn summary(results: &GearResults, verdict: &Verdict, totals: &Totals) -> Value {
     };
     let life = worn.life.map(|(limit, error)| {
         json!({
-            "gear": names[limit.gear],
+            "gear": names[limit.body],
             "wear_depth_m": limit.depth,
-            "meshes": worn.last().meshes,
+            "meshes": worn.last().passages,
             "error": error,
         })
     });
@@ -200,7 +200,7 @@ fn summary(results: &GearResults, verdict: &Verdict, totals: &Totals) -> Value {
         "contact_ratio": mesh.pair.contact_ratio(),
         "load_N_per_m": mesh.load,
         "peak_pressure_Pa": results.peak_pressure(),
-        "meshes": worn.last().meshes,
+        "meshes": worn.last().passages,
         "meshes_asked_for": wanted,
         "gears": [gear(0), gear(1)],
         "limits": limits.len(),

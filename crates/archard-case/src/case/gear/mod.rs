@@ -9,7 +9,7 @@ use std::sync::Arc;
 use archard::friction::Friction;
 use archard::parameters::{Bound, Choice, Parameter, Quantity};
 use archard::wear::WearLaw;
-use archard_gear::{Gear, GearError, Limit, Mesh, Pair, Sharing};
+use archard_gear::{Gear, Limit, Mesh, Misfit, Pair, Sharing};
 
 pub use forecast::GearForecast;
 pub use meshing::{MESH, Meshing};
@@ -76,8 +76,8 @@ impl GearCase {
     /// If values of the case do not fit together.
     pub fn prepare(&self) -> Result<(Mesh, Meshing), Problem> {
         let motion = Key::of(["motion", "mesh"]);
-        let wrong = |error: GearError| {
-            let key = match error.gear {
+        let wrong = |error: Misfit| {
+            let key = match error.body {
                 Some(gear) if error.cause.parameter == "wear" => {
                     return Problem::error(
                         Key::of(["body", &self.gears[gear].name, "wear"]),
@@ -94,10 +94,7 @@ impl GearCase {
         };
         let meshing = self.motion.build().map_err(|invalid| wrong(invalid.into()))?;
         let gear = |which: usize| {
-            self.gears[which]
-                .profile
-                .build()
-                .map_err(|invalid| wrong(GearError::of(which, invalid)))
+            self.gears[which].profile.build().map_err(|invalid| wrong(Misfit::of(which, invalid)))
         };
         let pair = Pair::new([gear(0)?, gear(1)?], meshing.centre_distance).map_err(wrong)?;
         if let Sharing::Table(rows) = &meshing.sharing {
@@ -168,7 +165,7 @@ impl GearCase {
     /// If values of the case do not fit together.
     pub fn solve(&self) -> Result<GearResults, Problem> {
         let (mesh, meshing) = self.prepare()?;
-        let limit = |gear: usize| Some(Limit { gear, depth: self.until[gear]? });
+        let limit = |gear: usize| Some(Limit { body: gear, depth: self.until[gear]? });
         let limits: Vec<Limit> = (0..2).filter_map(limit).collect();
         let meshes = meshing.meshes.unwrap_or(0.0);
         let worn = mesh.wear(meshes, meshing.of_gear_two(&mesh.pair), &limits);
