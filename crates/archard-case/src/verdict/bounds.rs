@@ -385,6 +385,16 @@ pub fn flanks(share: f64) -> Line {
     Line::new("flanks", share, Bound::AtMost([0.1, 1.0]), text)
 }
 
+/// By how much wear changes how a body wears where it is deepest, relative to it, to first order: worn bodies touch elsewhere, over
+/// another width and under another load than new ones, which are those computed. A tenth is a choice; as much as the wear itself, and the
+/// contact conforms to what is worn.
+pub fn reshaped(share: f64, body: &str) -> Line {
+    let text = format!(
+        "of the deepest wear of `{body}` is how much worn shapes may change it, which are not followed: take fewer passages, or a counterbody that wears less"
+    );
+    Line::new("worn shape", share, Bound::AtMost([0.1, 1.0]), text)
+}
+
 /// A gear that is deepest where the contact ends at a tip, nearer than half of its width.
 ///
 /// What of the width lies beyond the tip bears nothing, and the edge of the tip bears more than Hertz's pressure: depths there are those of

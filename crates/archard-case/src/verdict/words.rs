@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 44] = [
+const GOOD: [(&str, &str, Number); 45] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -61,6 +61,7 @@ const GOOD: [(&str, &str, Number); 44] = [
     ("flanks", "wear displaces the contact by {} of the pitch", Number::Share),
     ("tip", "no gear is deepest at a tip", Number::Unsaid),
     ("history", "points of the route lose {} of the history", Number::Share),
+    ("worn shape", "worn shapes change the deepest wear by {}", Number::Share),
 ];
 
 /// The place of a subject among all.

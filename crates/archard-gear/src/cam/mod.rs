@@ -150,6 +150,15 @@ impl Cam {
         Station { angle, touch, load, half_width, peak_pressure }
     }
 
+    /// Radii of curvature (m) of cam and follower at a station; those of hollows are negative, and of a flat infinite.
+    pub fn radii(&self, station: &Station) -> [f64; 2] {
+        let follower = match self.follower {
+            Follower::Flat => f64::INFINITY,
+            Follower::Round(radius) => radius,
+        };
+        [(station.touch.curvature - follower.recip()).recip(), follower]
+    }
+
     /// The same all around.
     pub fn stations(&self) -> Vec<Station> {
         angles(ANGLES).map(|angle| self.station(angle)).collect()
