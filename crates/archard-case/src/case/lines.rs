@@ -60,18 +60,19 @@ pub(super) fn misfit(error: Misfit, bodies: [(&str, &str); 2], motion: &'static 
 /// Refuses passages that wear nothing, and wear of no passages, which `key` of the motion has and `needed` asks for.
 pub(super) fn hold(
     names: [&str; 2],
-    (laws, until): (&[Option<Arc<dyn WearLaw>>; 2], &[Option<f64>; 2]),
+    wears: [bool; 2],
+    until: [Option<f64>; 2],
     passages: Option<f64>,
     [motion, key, needed, none]: [&'static str; 4],
 ) -> Result<(), Problem> {
     let key = Key::of(["motion", motion, key]);
-    match (laws.iter().any(Option::is_some), passages) {
+    match (wears[0] || wears[1], passages) {
         (true, None) => return Err(Problem::missing(key, needed)),
         (false, Some(_)) => return Err(Problem::error(key, none)),
         _ => {}
     }
     for (which, limit) in until.iter().enumerate() {
-        if limit.is_some() && laws[which].is_none() {
+        if limit.is_some() && !wears[which] {
             let message = format!("`{}` has no wear law: it reaches no limit", names[which]);
             return Err(Problem::error(Key::of(["until"]), message));
         }
@@ -90,7 +91,8 @@ pub(super) fn print<A, B, M>(
     f: &mut Formatter<'_>,
     title: Option<&str>,
     (one, two): (&Rolled<A>, &Rolled<B>),
-    (friction, motion): (Option<&Chosen<Box<dyn Friction>>>, &Chosen<M>),
+    friction: Option<&Chosen<Box<dyn Friction>>>,
+    motion: &Chosen<M>,
     until: [Option<f64>; 2],
 ) -> fmt::Result {
     if let Some(title) = title {

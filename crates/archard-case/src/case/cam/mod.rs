@@ -81,7 +81,8 @@ impl CamCase {
         let pair = pair.map_err(wrong)?;
         lines::hold(
             [&cam.name, &follower.name],
-            (&pair.laws, &self.until),
+            pair.laws.each_ref().map(Option::is_some),
+            self.until,
             camming.turns,
             [
                 "cam",

@@ -7,8 +7,8 @@ use crate::case::lines;
 
 impl Display for CamCase {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let how = (self.friction.as_ref(), &self.motion);
+        let friction = self.friction.as_ref();
         let bodies = (&self.cam, &self.follower);
-        lines::print(f, self.title.as_deref(), bodies, how, self.until)
+        lines::print(f, self.title.as_deref(), bodies, friction, &self.motion, self.until)
     }
 }

@@ -104,7 +104,8 @@ impl GearCase {
             Mesh::new(pair, load, materials, meshing.sharing.clone(), laws).map_err(wrong)?;
         lines::hold(
             [&one.name, &two.name],
-            (&mesh.laws, &self.until),
+            mesh.laws.each_ref().map(Option::is_some),
+            self.until,
             meshing.meshes,
             [
                 "mesh",

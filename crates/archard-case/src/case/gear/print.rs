@@ -8,7 +8,7 @@ use crate::case::lines;
 impl Display for GearCase {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let [one, two] = &self.gears;
-        let how = (self.friction.as_ref(), &self.motion);
-        lines::print(f, self.title.as_deref(), (one, two), how, self.until)
+        let friction = self.friction.as_ref();
+        lines::print(f, self.title.as_deref(), (one, two), friction, &self.motion, self.until)
     }
 }
