@@ -105,7 +105,12 @@ impl Cam {
             (seeds(sweep), FINEST * narrowest)
         };
         seeds.sort_by(f64::total_cmp);
+        let end = seeds.last().copied();
         seeds.dedup_by(|next, last| *next - *last < 4.0 * finest);
+        // The end of all stays.
+        if let (Some(last), Some(end)) = (seeds.last_mut(), end) {
+            *last = end;
+        }
         let work = |node: f64| self.at_node(sweep, (body, &places), node).work();
         let works: Vec<f64> = seeds.iter().map(|seed| work(*seed)).collect();
         let straight = STRAIGHT * works.iter().copied().fold(0.0, f64::max);
