@@ -85,6 +85,7 @@ pub use contacts::{
 };
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
+pub(crate) use evidence::Stations;
 pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder, RouteKeeper};
 pub use gear::{GearResults, gear_files, write_gear};

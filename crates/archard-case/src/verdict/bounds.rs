@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::words::share;
-use super::{Bound, Line, Word};
+use super::{Bound, Line, Word, four};
 
 /// The load, or approach, against the one prescribed: how far off it is, relative to it.
 ///
@@ -342,6 +342,23 @@ pub fn worn(error: f64) -> Line {
 pub fn gathered(loss: f64) -> Line {
     let text = "of the work of friction is lost where the points of the route stand for a history: a smaller `history.within` takes more of them";
     Line::new("history", loss, Bound::AtMost([0.05, 0.3]), text)
+}
+
+/// What stations that a long table leaves out lose of the load by the distance slid: so much of the worn volume, under the bounds of a
+/// [history](gathered). `kept` of `rows` stations are gone through, and places of the others are off by that (m) at most.
+pub fn stations(loss: f64, [kept, rows]: [usize; 2], displaced: f64) -> Line {
+    let text = format!(
+        "of the load by the distance slid is lost where {kept} of {rows} stations are gone through, by whose path the others are off by {} um at most: a smaller `motion.table.within` or `apart` takes more of them",
+        four(1e6 * displaced)
+    );
+    Line::new("stations", loss, Bound::AtMost([0.05, 0.3]), text)
+}
+
+/// How far the contact moves from a station to the next where others are left out, over its width. Beyond one, places between them are in
+/// the contact at no station.
+pub fn apart(ratio: f64) -> Line {
+    let text = "times the width of the contact is how far it moves where stations are left out, and what is worn between them is not seen: a smaller `motion.table.apart`";
+    Line::new("apart", ratio, Bound::AtMost([1.0, f64::INFINITY]), text)
 }
 
 /// What a user is warned of, in its first line: never good.
