@@ -30,7 +30,7 @@ impl From<Invalid> for Misfit {
     }
 }
 
-/// Friction, and how both bodies wear; `None` where there is none.
+/// Friction, and how both bodies wear; `None` where none exists.
 pub type Laws = (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]);
 
 /// Contact modulus (Pa), E* of Hertz, of two materials.

@@ -35,7 +35,7 @@ struct About {
     /// The key of the bodies in the summary.
     bodies: &'static str,
     told: Told,
-    /// The title of the pictures, and words beside them.
+    /// The title of the pictures, and words to them.
     pictures: [&'static str; 2],
     panels: Vec<Panel>,
     summary: Value,

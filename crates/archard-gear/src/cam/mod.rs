@@ -24,7 +24,7 @@ pub use wear::Worn;
 use crate::laws::{Laws, Misfit, checked, contact_modulus};
 use crate::line::hertz;
 
-/// Angles of a turn at which the contact is known. A choice: half a degree apart, half of which say how far off they are.
+/// Angles of a turn at which the contact is known. A choice: half a degree apart; twice as far apart, they say how far off results are.
 const ANGLES: usize = 720;
 
 /// What presses a follower on its cam, along its way.

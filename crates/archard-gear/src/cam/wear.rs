@@ -192,12 +192,12 @@ impl Cam {
         let widest = sweep.stations.iter().map(|one| one.half_width).fold(0.0, f64::max);
         for body in 0..2 {
             let of = |(node, depth): (usize, &f64)| {
-                // A lift of which half says nothing may itself say nothing.
+                // Where half of the rows give no cam, all of them may be wrong as well.
                 let rough = rough.as_ref().and_then(Option::as_ref);
                 rough.map_or(*depth, |rough| (rough.depths[body][node] - depth).abs())
             };
             let off: Vec<f64> = last.depths[body].iter().enumerate().map(of).collect();
-            // Both are alike by chance in places: within the width of the contact the largest counts.
+            // Both agree by chance in places: within the width of the contact the largest counts.
             let near = |place: f64| {
                 let from = places[body].partition_point(|known| *known < place - widest);
                 let to = places[body].partition_point(|known| *known <= place + widest);

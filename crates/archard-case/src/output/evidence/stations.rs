@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Line};
 
-/// The stations of a table of which some are left out.
+/// The stations of a table that leaves some out.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(crate) struct Stations {
     /// Those that are gone through, and all.
