@@ -1,6 +1,6 @@
 """What a user of the package has: :mod:`archard` loads it where a name is first asked for."""
 
-from archard import gears, rail
+from archard import cams, gears, rail
 from archard._archard import __version__
 from archard._compare import Comparison
 from archard._contact import Contact, contact
@@ -57,6 +57,7 @@ __all__ = [
     "Verdict",
     "WrongResult",
     "__version__",
+    "cams",
     "cases",
     "contact",
     "fit",

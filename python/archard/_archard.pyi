@@ -31,6 +31,7 @@ __all__ = [
     "solve_elastic",
     "validate",
     "verify",
+    "wear_cam",
     "wear_gears",
 ]
 __version__: str
@@ -104,9 +105,8 @@ class WheelRail:
         list[tuple[str, str, list[tuple[str, list[float]]]]],
     ]: ...
 
-def wear_gears(
-    file: CaseFile,
-) -> tuple[list[list[tuple[str, float]]], list[list[tuple[str, float]]], tuple[str, float] | None]: ...
+def wear_cam(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple[str, float] | None]: ...
+def wear_gears(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple[str, float] | None]: ...
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def solve_contact(
     file: CaseFile,

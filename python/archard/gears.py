@@ -48,7 +48,7 @@ def wear(case: str | PathLike[str] | Mapping[str, object] | Case) -> Wear:
         ValueError: a case that is not one of gears.
 
     """
-    flanks, course, met = _archard.wear_gears(Case(case)._compiled())
+    (flanks, course), met = _archard.wear_gears(Case(case)._compiled())
     columns = _columns(course)
     life = None if met is None else (met[0], float(columns["meshes"][-1]), met[1])
     return Wear(_columns(flanks), columns, life)

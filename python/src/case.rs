@@ -53,7 +53,9 @@ impl Checked {
     fn is_kept(&self, toml: &str) -> bool {
         match &*self.task {
             Task::Contact(resolved) => resolved.is_printed(toml),
-            Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) => self.task.case_toml() == toml,
+            Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) => {
+                self.task.case_toml() == toml
+            }
         }
     }
 

@@ -52,7 +52,7 @@ mod _archard {
         comparison, free_memory, knows_unit, numbers, page, pictures, quantity, verify,
     };
     #[pymodule_export]
-    use super::gears::wear_gears;
+    use super::gears::{wear_cam, wear_gears};
     #[pymodule_export]
     use super::log::read_log;
     #[pymodule_export]

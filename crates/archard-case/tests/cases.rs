@@ -166,6 +166,10 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             let points = named(&body.points, &deformed.points);
             return Ok(Results { points, rows: Rows::default() });
         }
+        Task::Cam(resolved) => {
+            let results = resolved.case.solve().map_err(|problem| problem.title())?;
+            return Ok(Results { points: vec![], rows: Rows(results.course()) });
+        }
         Task::Gear(resolved) => {
             let results = resolved.case.solve().map_err(|problem| problem.title())?;
             return Ok(Results { points: vec![], rows: Rows(results.course()) });

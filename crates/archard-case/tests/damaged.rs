@@ -36,6 +36,7 @@ fn examine(file: &CaseFile) {
             let shown = match &task {
                 Task::Contact(contact) => format!("{}{}", contact.case, contact.forecast),
                 Task::Elastic(elastic) => format!("{}{}", elastic.case, elastic.forecast),
+                Task::Cam(cam) => format!("{}{}", cam.case, cam.forecast),
                 Task::Gear(gear) => format!("{}{}", gear.case, gear.forecast),
                 Task::WheelRail(wheel) => format!("{}{}", wheel.case, wheel.forecast),
             };

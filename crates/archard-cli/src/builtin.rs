@@ -74,6 +74,11 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../cases/crossing_ball/case.toml"),
         files: &[("stations.csv", include_bytes!("../cases/crossing_ball/stations.csv"))],
     },
+    Builtin {
+        name: "cam_follower",
+        text: include_str!("../cases/cam_follower/case.toml"),
+        files: &[("lift.csv", include_bytes!("../cases/cam_follower/lift.csv"))],
+    },
     without_files("gear_flanks", include_str!("../cases/gear_flanks/case.toml")),
     without_files("hip", include_str!("../cases/hip/case.toml")),
     without_files("mccoll_fretting", include_str!("../cases/mccoll_fretting/case.toml")),

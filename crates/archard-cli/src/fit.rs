@@ -26,7 +26,7 @@ use crate::verdict;
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let file = diagnose::read(&arguments.case)?;
     let task = diagnose::checked(&file, arguments.quiet)?;
-    if let Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) = task {
+    if let Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) = task {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
     let names = table::names(&arguments.column).map_err(Failure::wrong)?;

@@ -37,7 +37,9 @@ pub fn claim(arguments: &Run, task: &Task, inputs: Inputs) -> Result<Claim, Fail
     }
     let is_its = |known: &str| match task {
         Task::Contact(resolved) => resolved.is_printed(known),
-        Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) => known == task.case_toml(),
+        Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) => {
+            known == task.case_toml()
+        }
     };
     if arguments.force || !claim.holds_another(is_its) {
         return Ok(claim);

@@ -6,6 +6,7 @@
 
 mod arguments;
 mod builtin;
+mod cam;
 mod check;
 mod companions;
 mod compare;
@@ -21,6 +22,7 @@ mod gear;
 mod interrupt;
 mod laws;
 pub mod library;
+mod line_contact;
 mod lines;
 mod lives;
 mod log;

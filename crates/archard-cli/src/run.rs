@@ -10,6 +10,7 @@ use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Report, Run};
+use crate::cam;
 use crate::companions::{self, Settled};
 use crate::diagnose;
 use crate::elastic;
@@ -76,12 +77,13 @@ fn in_folder(
                 false => contact(),
             }
         }
-        Task::Elastic(_) | Task::Gear(_) if arguments.resume.is_some() => {
+        Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) if arguments.resume.is_some() => {
             Err(Failure::wrong("this case is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
+        Task::Cam(resolved) => cam::run(resolved, watch, [arguments.quiet, arguments.verbose]),
         Task::Gear(resolved) => gear::run(resolved, watch, [arguments.quiet, arguments.verbose]),
         Task::WheelRail(resolved) => wheel_rail::run(resolved, watch, &mut follower, arguments),
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use archard::parameters::Invalid;
 
-use crate::mesh::GearError;
+use crate::laws::Misfit;
 
 /// By how much shifts may differ from those of teeth without backlash: drawings give four decimals of the two.
 const ROUNDED: f64 = 1e-4;
@@ -92,16 +92,16 @@ impl Pair {
     /// # Errors
     /// If the gears do not fit each other at this distance: other teeth, flanks that jam, tips that reach below the base circle of the other
     /// gear, or a tooth that lets go before the next one touches.
-    pub fn new(gears: [Gear; 2], centre_distance: f64) -> Result<Self, GearError> {
+    pub fn new(gears: [Gear; 2], centre_distance: f64) -> Result<Self, Misfit> {
         for (which, gear) in gears.iter().enumerate() {
-            gear.checked().map_err(|invalid| GearError::of(which, invalid))?;
+            gear.checked().map_err(|invalid| Misfit::of(which, invalid))?;
         }
         let [one, two] = gears;
         if one.module != two.module || one.pressure_angle != two.pressure_angle {
             let message = "both gears need the same module and pressure angle";
-            return Err(GearError::of(1, Invalid::new("module", message)));
+            return Err(Misfit::of(1, Invalid::new("module", message)));
         }
-        let wrong = |message: String| GearError::from(Invalid::new("centre_distance", message));
+        let wrong = |message: String| Misfit::from(Invalid::new("centre_distance", message));
         let base = [one.base_radius(), two.base_radius()];
         let cosine = (base[0] + base[1]) / centre_distance;
         if cosine >= 1.0 {
@@ -138,7 +138,7 @@ impl Pair {
                 let message = format!(
                     "the tips reach below the base circle of the other gear and interfere there: {most:.4} mm at the most"
                 );
-                return Err(GearError::of(which, Invalid::new("tip_diameter", message)));
+                return Err(Misfit::of(which, Invalid::new("tip_diameter", message)));
             }
         }
         let pitch = PI * one.module * angle.cos();

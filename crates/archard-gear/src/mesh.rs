@@ -4,41 +4,15 @@ use std::sync::Arc;
 
 use archard::body::Material;
 use archard::friction::Friction;
-use archard::parameters::Invalid;
-use archard::wear::{Input, WearLaw};
+use archard::wear::WearLaw;
 
 use crate::involute::Pair;
+use crate::laws::{Laws, Misfit, checked, contact_modulus};
 use crate::sharing::Sharing;
 use crate::station::Station;
 
 /// Parts of the path between two of its points, twice over: halved, they say how far off what is summed over them is. A choice.
 const PARTS: usize = 32;
-
-/// Why gears do not mesh, or are not worn.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}`{}`: {}", .gear.map_or_else(String::new, |gear| format!("gear {}: ", gear + 1)), .cause.parameter, .cause.message)]
-pub struct GearError {
-    /// The gear whose value is wrong, 0 or 1; `None` where it is one of both.
-    pub gear: Option<usize>,
-    /// What is wrong.
-    pub cause: Box<Invalid>,
-}
-
-impl GearError {
-    /// Of a value of a gear.
-    pub fn of(gear: usize, cause: Invalid) -> Self {
-        Self { gear: Some(gear), cause: Box::new(cause) }
-    }
-}
-
-impl From<Invalid> for GearError {
-    fn from(cause: Invalid) -> Self {
-        Self { gear: None, cause: Box::new(cause) }
-    }
-}
-
-/// Friction, and how the flanks of both gears wear; `None` where none exists.
-pub type Laws = (Option<Arc<dyn Friction>>, [Option<Arc<dyn WearLaw>>; 2]);
 
 /// Two gears under load.
 #[derive(Debug, Clone)]
@@ -57,10 +31,6 @@ pub struct Mesh {
     pub friction: Option<Arc<dyn Friction>>,
     /// How the flanks of both gears wear; `None` if they do not.
     pub laws: [Option<Arc<dyn WearLaw>>; 2],
-}
-
-fn asks_for_friction(law: &Option<Arc<dyn WearLaw>>) -> bool {
-    law.as_ref().is_some_and(|law| law.inputs().contains(&Input::Friction))
 }
 
 /// A node of the path.
@@ -84,30 +54,11 @@ impl Mesh {
         [torque, width]: [f64; 2],
         materials: [&Material; 2],
         sharing: Sharing,
-        (friction, laws): Laws,
-    ) -> Result<Self, GearError> {
-        for (gear, law) in laws.iter().enumerate() {
-            let known = |input: &Input| {
-                matches!(input, Input::Friction | Input::Vectors | Input::Depth | Input::CrossShear)
-            };
-            if law.as_ref().is_some_and(|law| !law.inputs().iter().all(known)) {
-                let message = "the law asks for the speed, the temperature, or the distance slid or rolled, which are not followed \
-                               along a flank";
-                return Err(GearError::of(gear, Invalid::new("wear", message)));
-            }
-        }
-        if friction.as_ref().is_some_and(|law| !law.inputs().is_empty()) {
-            let message = "depends on the speed, the temperature or the distance slid, which are not followed along a flank";
-            return Err(Invalid::new("friction", message).into());
-        }
-        if let Some(gear) =
-            (0..2).find(|&gear| asks_for_friction(&laws[gear]) && friction.is_none())
-        {
-            let message = "the law asks for the friction, and there is none";
-            return Err(GearError::of(gear, Invalid::new("wear", message)));
-        }
-        let softness = |material: &Material| (1.0 - material.poisson.powi(2)) / material.young;
-        let modulus = (softness(materials[0]) + softness(materials[1])).recip();
+        laws: Laws,
+    ) -> Result<Self, Misfit> {
+        checked(&laws)?;
+        let (friction, laws) = laws;
+        let modulus = contact_modulus(materials);
         let load = torque / (pair.gears[0].base_radius() * width);
         Ok(Self { pair, modulus, load, width, sharing, friction, laws })
     }

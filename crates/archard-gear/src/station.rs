@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use archard::friction::Friction;
-use archard::problem::rubbing;
-use archard::wear::{Per, WearLaw};
+use archard::wear::WearLaw;
 
 use crate::involute::Pair;
+use crate::line::{hertz, worn};
 
 /// Points across the contact at which a wear law is asked. A choice: sums over angles are exact for depths in proportion to the pressure,
 /// and converge fast for all that are smooth.
@@ -33,9 +33,8 @@ impl Station {
     /// A place (m) under a load (N/m), between flanks of that contact modulus (Pa), E* of Hertz.
     pub fn new(pair: &Pair, place: f64, load: f64, modulus: f64) -> Self {
         let radii = pair.radii(place);
-        let radius = radii[0] * radii[1] / pair.length;
-        let half_width = (4.0 * load * radius / (PI * modulus)).sqrt();
-        let peak_pressure = if load > 0.0 { 2.0 * load / (PI * half_width) } else { 0.0 };
+        let curvature = pair.length / (radii[0] * radii[1]);
+        let [half_width, peak_pressure] = hertz(load, curvature, modulus);
         Self { place, radii, speeds: pair.speeds(place), load, half_width, peak_pressure }
     }
 
@@ -54,25 +53,17 @@ impl Station {
     pub fn wear(
         &self,
         flank: usize,
-        (law, friction): (&dyn WearLaw, Option<&dyn Friction>),
+        law: (&dyn WearLaw, Option<&dyn Friction>),
         before: f64,
     ) -> f64 {
         let slide = self.slide(flank);
-        let along = [self.sliding().signum(), 0.0];
-        let depth = |pressure: f64, slip: f64| {
-            law.depth(rubbing(friction, pressure, slip, along).after(0.0, before))
+        // The mean over the slip.
+        let whole = [0.25 * PI * self.peak_pressure, slide];
+        let step = PI / POINTS as f64;
+        let at = |point: usize| {
+            let high = (step * (point as f64 + 0.5)).sin();
+            [self.peak_pressure * high, 0.5 * slide * high * step]
         };
-        match law.per() {
-            // The mean over the slip.
-            Per::Cycle => depth(0.25 * PI * self.peak_pressure, slide),
-            Per::Increment => {
-                let step = PI / POINTS as f64;
-                let at = |point: usize| {
-                    let high = (step * (point as f64 + 0.5)).sin();
-                    depth(self.peak_pressure * high, 0.5 * slide * high * step)
-                };
-                (0..POINTS).map(at).sum()
-            }
-        }
+        worn(law, self.sliding().signum(), whole, (0..POINTS).map(at), before)
     }
 }

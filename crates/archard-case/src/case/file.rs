@@ -9,6 +9,7 @@ use archard_surface::HeightMap;
 use toml::de::DeTable;
 
 use super::accuracy;
+use super::cam;
 use super::check;
 use super::chosen::Chosen;
 use super::elastic;
@@ -17,7 +18,9 @@ use super::key::{Key, Part};
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
-use super::resolved::{Resolved, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task};
+use super::resolved::{
+    Resolved, ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task,
+};
 use super::surface::PreparedSurface;
 use super::told::{PROBLEMS, told};
 use super::tree::{Origin, Table};
@@ -140,7 +143,7 @@ impl CaseFile {
         format!("{place}: {}: {}", problem.severity, problem.title())
     }
 
-    /// Reads and checks the case: of two bodies in contact, of one body by itself, of two gears, or of a wheel on a rail.
+    /// Reads and checks the case: of two bodies in contact, of one body by itself, of two gears, of a cam, or of a wheel on a rail.
     ///
     /// # Errors
     /// All that is wrong with it, and the warnings besides.
@@ -155,6 +158,11 @@ impl CaseFile {
             let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.gear(root);
             let (case, forecast, warnings) = self.examine(laid, read, gear::check)?;
             return Ok(Task::Gear(Box::new(ResolvedGear { case, forecast, warnings })));
+        }
+        if Reader::is_cam(&Section { key: Key::default(), table: &laid.table }) {
+            let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.cam(root);
+            let (case, forecast, warnings) = self.examine(laid, read, cam::check)?;
+            return Ok(Task::Cam(Box::new(ResolvedCam { case, forecast, warnings })));
         }
         if !Reader::is_elastic(&Section { key: Key::default(), table: &laid.table }) {
             return self.resolve_contact(laid).map(|resolved| Task::Contact(Box::new(resolved)));

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::accuracy::Refined;
+use super::cam::CamForecast;
 use super::check::{Solves, Yielding};
 use super::elastic::ElasticForecast;
 use super::file::CaseFile;
@@ -32,6 +33,7 @@ impl CaseFile {
                 let expected = match &task {
                     Task::Contact(resolved) => contact(resolved),
                     Task::Elastic(resolved) => elastic(&resolved.forecast),
+                    Task::Cam(resolved) => cam(&resolved.forecast),
                     Task::Gear(resolved) => gear(&resolved.forecast),
                     Task::WheelRail(resolved) => wheel_rail(&resolved.forecast),
                 };
@@ -124,6 +126,22 @@ fn elastic(forecast: &ElasticForecast) -> Value {
         "points": forecast.points,
         "memory_bytes": forecast.memory,
     })
+}
+
+fn cam(forecast: &CamForecast) -> Value {
+    let station = |station: archard_gear::cam::Station| {
+        json!({
+            "angle_rad": station.angle,
+            "lift_m": station.touch.lift,
+            "load_N_per_m": station.load,
+            "peak_pressure_Pa": station.peak_pressure,
+            "half_width_m": station.half_width,
+            "place_m": station.touch.place,
+            "speeds_m_per_rad": station.touch.speeds,
+        })
+    };
+    let stations: Vec<Value> = forecast.stations().into_iter().map(station).collect();
+    json!({ "stations": stations })
 }
 
 fn gear(forecast: &GearForecast) -> Value {

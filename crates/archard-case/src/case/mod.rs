@@ -23,6 +23,7 @@
 //! two keys that exclude each other to the other, remove the first.
 
 mod accuracy;
+mod cam;
 mod check;
 mod chosen;
 mod columns;
@@ -34,6 +35,7 @@ mod gear;
 mod json;
 mod key;
 mod left_out;
+mod lines;
 mod material;
 pub mod materials;
 #[cfg(test)]
@@ -56,6 +58,7 @@ mod unclosed;
 mod wheel_rail;
 
 pub use accuracy::{Chose, Refined};
+pub use cam::{CamCase, CamForecast};
 pub use check::{
     BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
 };
@@ -69,7 +72,7 @@ pub use material::MaterialCase;
 pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
-pub use resolved::{Resolved, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task};
+pub use resolved::{Resolved, ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task};
 pub use similar::WearByKs;
 pub use surface::{Preparation, PreparedSurface};
 pub use told::told;

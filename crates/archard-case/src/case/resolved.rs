@@ -1,6 +1,7 @@
 //! What a case asks for, read and checked.
 
 use super::accuracy::Chose;
+use super::cam::{CamCase, CamForecast};
 use super::check::Forecast;
 use super::check::pace::Pace;
 use super::check::runtime::Runtime;
@@ -9,7 +10,7 @@ use super::elastic::{ElasticCase, ElasticForecast};
 use super::gear::{GearCase, GearForecast};
 use super::problem::Problem;
 use super::wheel_rail::{WheelRailCase, WheelRailForecast};
-use crate::output::{elastic_files, gear_files};
+use crate::output::{cam_files, elastic_files, gear_files};
 
 /// A case that can be run.
 #[non_exhaustive]
@@ -61,6 +62,18 @@ pub struct ResolvedGear {
     pub warnings: Vec<Problem>,
 }
 
+/// A case of a cam and its follower that can be computed.
+#[non_exhaustive]
+#[derive(Debug, Clone)]
+pub struct ResolvedCam {
+    /// The case in SI.
+    pub case: CamCase,
+    /// What a turn is like before any wear.
+    pub forecast: CamForecast,
+    /// What may not be as it was meant.
+    pub warnings: Vec<Problem>,
+}
+
 /// What a case asks for.
 #[derive(Debug, Clone)]
 pub enum Task {
@@ -68,6 +81,8 @@ pub enum Task {
     Contact(Box<Resolved>),
     /// One elastic body by itself.
     Elastic(Box<ResolvedElastic>),
+    /// A cam and its follower.
+    Cam(Box<ResolvedCam>),
     /// Two gears in mesh.
     Gear(Box<ResolvedGear>),
     /// A railway wheel on its rail.
@@ -105,6 +120,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.expectations(),
             Task::Elastic(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
+            Task::Cam(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
             Task::Gear(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
             Task::WheelRail(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
         }
@@ -115,6 +131,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.case.to_string(),
             Task::Elastic(resolved) => resolved.case.to_string(),
+            Task::Cam(resolved) => resolved.case.to_string(),
             Task::Gear(resolved) => resolved.case.to_string(),
             Task::WheelRail(resolved) => resolved.case.to_string(),
         }
@@ -131,6 +148,7 @@ impl Task {
             Task::Elastic(resolved) => {
                 elastic_files(&resolved.case.points, &resolved.case.sections)
             }
+            Task::Cam(_) => cam_files(),
             Task::Gear(_) => gear_files(),
             Task::WheelRail(resolved) => resolved.case.files(),
         }
@@ -141,6 +159,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => &resolved.warnings,
             Task::Elastic(resolved) => &resolved.warnings,
+            Task::Cam(resolved) => &resolved.warnings,
             Task::Gear(resolved) => &resolved.warnings,
             Task::WheelRail(resolved) => &resolved.warnings,
         }

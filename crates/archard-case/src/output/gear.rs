@@ -1,18 +1,14 @@
 //! The results of two gears in mesh.
 
-use archard_gear::{Limit, Mesh, Moment, Station, Worn};
+use archard_gear::{Limit, Mesh, Station, Worn};
 use serde_json::{Value, json};
 
-use super::summary::json_of;
-use super::table::{Table, number};
-use super::{CASE, Claim, Error, SUMMARY, Totals};
+use super::lines::{self, COURSE, Rows, borne};
+use super::{Claim, Error, Totals};
 use crate::verdict::{self, Verdict};
 
 /// The file of the flanks at the end, a row a station.
 const FLANKS: &str = "flanks.csv";
-/// The file of how they became so, a row a step.
-const COURSE: &str = "course.csv";
-
 /// What came out of two gears in mesh.
 #[derive(Debug, Clone)]
 pub struct GearResults {
@@ -41,7 +37,7 @@ impl GearResults {
     }
 
     /// The flanks at the end (SI) station by station, by the names of columns.
-    pub fn flanks(&self) -> Vec<Vec<(String, f64)>> {
+    pub fn flanks(&self) -> Rows {
         let Self { names, mesh, worn, .. } = self;
         let row = |(index, (station, new)): (usize, (&Station, Station))| {
             let diameters = mesh.pair.diameters(station.place);
@@ -69,13 +65,8 @@ impl GearResults {
     }
 
     /// The deepest wear (m) of both gears step by step, by the names of columns.
-    pub fn course(&self) -> Vec<Vec<(String, f64)>> {
-        let row = |moment: &Moment| {
-            let deepest = |gear: usize| moment.depths[gear].iter().copied().fold(0.0, f64::max);
-            let depth = |gear: usize| (format!("wear_depth_{}_m", self.names[gear]), deepest(gear));
-            vec![("meshes".to_owned(), moment.meshes), depth(0), depth(1)]
-        };
-        self.worn.course.iter().map(row).collect()
+    pub fn course(&self) -> Rows {
+        lines::course("meshes", &self.names, &self.worn.course)
     }
 
     /// The largest error of the deepest depths, relative to them.
@@ -115,29 +106,9 @@ pub fn write_gear(
     results: &GearResults,
     totals: &Totals,
 ) -> Result<Verdict, Error> {
-    claim.admit()?;
-    let manifest = &mut claim.manifest;
-    manifest.begin([CASE, FLANKS])?;
-    manifest.write(CASE, case_toml.as_bytes())?;
-    let mut table = Table::create(manifest.claim(FLANKS)?)?;
-    for row in results.flanks() {
-        table
-            .row(&row.iter().map(|(name, value)| (&**name, number(*value))).collect::<Vec<_>>())?;
-    }
-    table.flush()?;
-    table.sync()?;
-    let mut table = Table::create(manifest.claim(COURSE)?)?;
-    for row in results.course() {
-        table
-            .row(&row.iter().map(|(name, value)| (&**name, number(*value))).collect::<Vec<_>>())?;
-    }
-    table.flush()?;
-    table.sync()?;
-    let verdict = judged(results).warned_of(&totals.warnings).ended(totals.failure.as_deref());
-    let summary = format!("{:#}\n", summary(results, &verdict, totals));
-    manifest.write(SUMMARY, summary.as_bytes())?;
-    manifest.settle()?;
-    Ok(verdict)
+    let files = [(FLANKS, results.flanks()), (COURSE, results.course())];
+    let verdict = judged(results);
+    lines::write(claim, case_toml, &files, verdict, totals, || summary(results))
 }
 
 /// What can be believed.
@@ -146,13 +117,9 @@ fn judged(results: &GearResults) -> Verdict {
     let peak = results.peak_pressure();
     let mut lines = vec![];
     for gear in 0..2 {
-        lines.push(match hardness[gear] {
-            Some(hardness) => verdict::hardness(peak / hardness, &names[gear]),
-            None => verdict::modulus(peak / moduli[gear], &names[gear]),
-        });
         let share = |station: &Station| station.half_width / station.radii[gear];
         let share = mesh.stations().iter().chain(&worn.stations).map(share).fold(0.0, f64::max);
-        lines.push(verdict::radius(share, &names[gear]));
+        lines.extend(borne(&names[gear], (hardness[gear], moduli[gear]), peak, share));
     }
     let at_tips: Vec<&str> =
         (0..2).filter(|gear| results.deepest_at_a_tip(*gear)).map(|gear| &*names[gear]).collect();
@@ -163,12 +130,12 @@ fn judged(results: &GearResults) -> Verdict {
     lines.push(verdict::flanks(mesh.displaced(worn) / mesh.pair.pitch));
     lines.push(verdict::measured(results.relative_error(), "deepest wear of the flanks"));
     lines.extend(worn.life.map(|(_, error)| {
-        verdict::measured(error / worn.last().meshes, "meshes to the first limit")
+        verdict::measured(error / worn.last().passages, "meshes to the first limit")
     }));
     Verdict { lines }
 }
 
-fn summary(results: &GearResults, verdict: &Verdict, totals: &Totals) -> Value {
+fn summary(results: &GearResults) -> Value {
     let GearResults { names, mesh, worn, wanted, limits, .. } = results;
     let gear = |which: usize| {
         let (at, [depth, error]) = worn.deepest(which);
@@ -184,31 +151,15 @@ fn summary(results: &GearResults, verdict: &Verdict, totals: &Totals) -> Value {
             "error_of_worn_volume_of_a_flank_m3": missed,
         })
     };
-    let life = worn.life.map(|(limit, error)| {
-        json!({
-            "gear": names[limit.gear],
-            "wear_depth_m": limit.depth,
-            "meshes": worn.last().meshes,
-            "error": error,
-        })
-    });
+    let life = lines::life(("gear", "meshes"), names, worn.life, worn.last());
     json!({
-        "program": "archard",
-        "version": env!("CARGO_PKG_VERSION"),
-        "complete": totals.failure.is_none(),
-        "failure": totals.failure,
         "contact_ratio": mesh.pair.contact_ratio(),
         "load_N_per_m": mesh.load,
         "peak_pressure_Pa": results.peak_pressure(),
-        "meshes": worn.last().meshes,
+        "meshes": worn.last().passages,
         "meshes_asked_for": wanted,
         "gears": [gear(0), gear(1)],
         "limits": limits.len(),
         "life": life,
-        "verdict": json_of(verdict),
-        "seconds": totals.seconds,
-        "threads": totals.threads,
-        "warnings": totals.warnings.iter().map(|warning| &warning.text).collect::<Vec<_>>(),
-        "command": totals.command,
     })
 }

@@ -28,11 +28,13 @@
 //! [`Image`] of each in `patches`, and `summary.json`; where they wear over a route also `wear.csv` with a row a point of a profile, `dimensions.csv` with a row a step, and the worn profiles.
 //!
 //! Of two gears, [`write_gear`] writes `case.toml`, `flanks.csv` with a row a station of the path of contact, `course.csv` with a row a
-//! step, and `summary.json`.
+//! step, and `summary.json`. Of a cam and its follower, [`write_cam`] writes `case.toml`, `cam.csv` with a row an angle, `follower.csv` with
+//! a row a place, `course.csv` and `summary.json`.
 //!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
 
+mod cam;
 mod closed_forms;
 mod contacts;
 mod derived;
@@ -49,6 +51,7 @@ mod inside;
 mod length_profiles;
 mod life;
 mod limit;
+mod lines;
 mod manifest;
 mod names;
 mod place;
@@ -75,18 +78,21 @@ use std::path::{Path, PathBuf};
 
 use archard::simulation::NotResumed;
 
+pub use cam::{CamResults, cam_files, write_cam};
 pub(crate) use closed_forms::blocks as estimate_json;
 pub use contacts::{
     AtPoint, Flank, RailContact, RailHistory, RailResults, contact_row, rail_files, write_rail,
 };
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
+pub(crate) use evidence::Stations;
 pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder, RouteKeeper};
 pub use gear::{GearResults, gear_files, write_gear};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use life::{Life, Limit, Lives, NoColumn, Reached};
+pub use lines::Rows;
 pub use manifest::Manifest;
 pub use place::Place;
 pub use planes::Planes;

@@ -31,9 +31,11 @@ const GIVEN: &[&str] = &[
     "gathered.csv",
     "worn_wheel_*.*",
     "worn_rail_*.*",
-    // Of two gears.
+    // Of two gears, and of a cam with its follower.
     "flanks.csv",
     "course.csv",
+    "cam.csv",
+    "follower.csv",
     // For ParaView.
     "open.py",
     "*_#.vtu",

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::words::share;
-use super::{Bound, Line, Word};
+use super::{Bound, Line, Word, four};
 
 /// The load, or approach, against the one prescribed: how far off it is, relative to it.
 ///
@@ -355,6 +355,23 @@ pub fn gathered(loss: f64) -> Line {
     Line::new("history", loss, Bound::AtMost([0.05, 0.3]), text)
 }
 
+/// What stations that a long table leaves out lose of the load by the distance slid: so much of the worn volume, under the bounds of a
+/// [history](gathered). `kept` of `rows` stations are gone through, and places of the others are off by that (m) at most.
+pub fn stations(loss: f64, [kept, rows]: [usize; 2], displaced: f64) -> Line {
+    let text = format!(
+        "of the load by the distance slid is lost where {kept} of {rows} stations are gone through, by whose path the others are off by {} um at most: a smaller `motion.table.within` or `apart` takes more of them",
+        four(1e6 * displaced)
+    );
+    Line::new("stations", loss, Bound::AtMost([0.05, 0.3]), text)
+}
+
+/// How far the contact moves from a station to the next where others are left out, over its width. Beyond one, places between them are in
+/// the contact at no station.
+pub fn apart(ratio: f64) -> Line {
+    let text = "times the width of the contact is how far it moves where stations are left out, and what is worn between them is not seen: a smaller `motion.table.apart`";
+    Line::new("apart", ratio, Bound::AtMost([1.0, f64::INFINITY]), text)
+}
+
 /// What a user is warned of, in its first line: never good.
 pub fn warned(warning: &str) -> Line {
     let text = warning.lines().next().unwrap_or_default();
@@ -394,6 +411,16 @@ pub fn shared(off: f64) -> Line {
 pub fn flanks(share: f64) -> Line {
     let text = "of the pitch is how far worn flanks displace their contact: they are no involutes any more, and shares and sliding are not those computed";
     Line::new("flanks", share, Bound::AtMost([0.1, 1.0]), text)
+}
+
+/// By how much wear changes how a body wears where it is deepest, relative to it, to first order: worn bodies touch elsewhere, over
+/// another width and under another load than new ones, which are those computed. A tenth is a choice; as much as the wear itself, and the
+/// contact conforms to what is worn.
+pub fn reshaped(share: f64, body: &str) -> Line {
+    let text = format!(
+        "of the deepest wear of `{body}` is how much worn shapes may change it, which are not followed: take fewer passages, or a counterbody that wears less"
+    );
+    Line::new("worn shape", share, Bound::AtMost([0.1, 1.0]), text)
 }
 
 /// A gear that is deepest where the contact ends at a tip, nearer than half of its width.

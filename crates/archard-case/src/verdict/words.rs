@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 45] = [
+const GOOD: [(&str, &str, Number); 48] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -61,6 +61,9 @@ const GOOD: [(&str, &str, Number); 45] = [
     ("flanks", "wear displaces the contact by {} of the pitch", Number::Share),
     ("tip", "no gear is deepest at a tip", Number::Unsaid),
     ("history", "points of the route lose {} of the history", Number::Share),
+    ("stations", "{} {text}", Number::Share),
+    ("apart", "the contact moves by {} of its width where stations are left out", Number::Share),
+    ("worn shape", "worn shapes change the deepest wear by {}", Number::Share),
     ("mesh", "displacements known to {} with these tetrahedra", Number::Share),
 ];
 
@@ -255,6 +258,9 @@ mod tests {
             verdict::stated(0.01, "peak_pressure_Pa"),
             verdict::climbs(0),
             verdict::gathered(0.01),
+            verdict::stations(0.01, [100, 1000], 1e-6),
+            verdict::apart(0.1),
+            verdict::reshaped(0.01, "cam"),
             verdict::yields(0.5, "flat"),
             verdict::shared(1e-3),
             verdict::flanks(0.01),

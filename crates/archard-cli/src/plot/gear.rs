@@ -29,21 +29,13 @@ pub(crate) fn is_one(dir: &Path) -> bool {
 impl Gears {
     /// Reads a folder.
     pub(crate) fn read(dir: &Path) -> Result<Self> {
-        let summary = dir.join("summary.json");
-        let summary: Option<Map<String, Value>> =
-            if summary.is_file() { Some(read_summary(&summary)?) } else { None };
+        let (summary, mark) = summary_of(dir)?;
         Ok(Self {
             flanks: Rows::read(&dir.join(FLANKS))?,
             course: Rows::read(&dir.join("course.csv"))?,
-            mark: mark(summary.as_ref()),
-            summary: summary.map_or(Value::Null, Value::Object),
+            summary,
+            mark,
         })
-    }
-
-    /// The names of the gears.
-    fn names(&self) -> Vec<String> {
-        let gears = self.summary["gears"].as_array().into_iter().flatten();
-        gears.filter_map(|gear| gear["name"].as_str().map(str::to_owned)).collect()
     }
 
     /// All pictures.
@@ -54,7 +46,7 @@ impl Gears {
     /// Depths over the path and over the meshes; pressures and shares, new and worn.
     pub(crate) fn panels(&self) -> Vec<Panel> {
         let path = self.flanks.numbers("path_m", 1e3);
-        let names = self.names();
+        let names = names(&self.summary, "gears");
         let mut panels = vec![];
         let along = "Path of contact from T1 (mm)";
         let mut depths = Curves::new();
@@ -95,18 +87,39 @@ impl Gears {
             panels
                 .push(curves.panel([title, along, label], |view| view.above_y(0.0).legend(legend)));
         }
-        let meshes = self.course.numbers("meshes", 1.0);
-        if meshes.last().is_some_and(|last| *last > 0.0) {
-            let mut course = Curves::new();
-            for (index, name) in names.iter().enumerate() {
-                let depth = self.course.numbers(&format!("wear_depth_{name}_m"), 1e6);
-                let line = meshes.iter().copied().zip(depth);
-                course.add(line, Pen::line(COLOURS[1 + index % 2]), Some(name));
-            }
-            let legend = LegendPosition::InsideTopLeft;
-            let title = ["Deepest wear", "Meshes of a flank", "Depth (um)"];
-            panels.push(course.panel(title, |view| view.above_y(0.0).legend(legend)));
-        }
+        panels.extend(course(&self.course, &names, ["meshes", "Meshes of a flank"]));
         panels
     }
+}
+
+/// The summary of a folder, and how far it can be believed.
+pub(super) fn summary_of(dir: &Path) -> Result<(Value, Option<String>)> {
+    let summary = dir.join("summary.json");
+    let summary: Option<Map<String, Value>> =
+        if summary.is_file() { Some(read_summary(&summary)?) } else { None };
+    let mark = mark(summary.as_ref());
+    Ok((summary.map_or(Value::Null, Value::Object), mark))
+}
+
+/// The names of the bodies that a summary has under a key.
+pub(super) fn names(summary: &Value, key: &str) -> Vec<String> {
+    let bodies = summary[key].as_array().into_iter().flatten();
+    bodies.filter_map(|body| body["name"].as_str().map(str::to_owned)).collect()
+}
+
+/// The deepest wear of two bodies over passages: their column, and what they are called; `None` where there are none.
+pub(super) fn course(rows: &Rows, names: &[String], [column, label]: [&str; 2]) -> Option<Panel> {
+    let passages = rows.numbers(column, 1.0);
+    if !passages.last().is_some_and(|last| *last > 0.0) {
+        return None;
+    }
+    let mut course = Curves::new();
+    for (index, name) in names.iter().enumerate() {
+        let depth = rows.numbers(&format!("wear_depth_{name}_m"), 1e6);
+        let line = passages.iter().copied().zip(depth);
+        course.add(line, Pen::line(COLOURS[1 + index % 2]), Some(name));
+    }
+    let legend = LegendPosition::InsideTopLeft;
+    let title = ["Deepest wear", label, "Depth (um)"];
+    Some(course.panel(title, |view| view.above_y(0.0).legend(legend)))
 }

@@ -3,6 +3,7 @@
 //! Everything is read from the files of the folder; no solver is involved, so a folder can be
 //! plotted while its run goes on and long after.
 
+pub(crate) mod cam;
 pub(crate) mod cells;
 mod comparison;
 mod course;
@@ -124,6 +125,11 @@ pub(crate) fn pictures(
     if rail::is_one(dir) {
         ensure!(others.is_empty(), "a wheel on a rail is not compared with other runs");
         let found = rail::Rail::read(dir)?;
+        return Ok((found.pictures(), found.mark));
+    }
+    if cam::is_one(dir) {
+        ensure!(others.is_empty(), "a cam is not compared with other runs");
+        let found = cam::Cam::read(dir)?;
         return Ok((found.pictures(), found.mark));
     }
     if gear::is_one(dir) {

@@ -6,8 +6,8 @@
 
 mod figures;
 mod fit;
-mod gear;
 mod html;
+mod line_contact;
 mod maps;
 mod page;
 mod rail;
@@ -70,7 +70,10 @@ pub fn write(arguments: &Report, reload: Option<Duration>) -> Result<PathBuf> {
         rail::page(dir)?
     } else if plot::gear::is_one(dir) {
         alone("pair of gears")?;
-        gear::page(dir)?
+        line_contact::of_gears(dir)?
+    } else if plot::cam::is_one(dir) {
+        alone("cam with its follower")?;
+        line_contact::of_cam(dir)?
     } else {
         let results = Results::read(dir)?;
         let compared = compare::of(dir, &results, &others, options)?;

@@ -52,7 +52,7 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
         let file = options.fold(file.clone(), |file, (key, value)| file.set(setting(key, value)));
         let resolved = match file.task() {
             Ok(Task::Contact(resolved)) => resolved,
-            Ok(Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_)) => {
+            Ok(Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_)) => {
                 let why = "a study is one of two bodies in contact; `archard run` computes this case by itself";
                 return Err(Failure::wrong(why));
             }

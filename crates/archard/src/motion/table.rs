@@ -9,6 +9,7 @@
 //! offsets: given as well, they say whether units and signs are those that were meant.
 
 use super::columns::{Columns, wrong};
+use super::merged::{Merged, Within, merged};
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE};
 use super::{
     Control, Lever, MOST_INCREMENTS, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,
@@ -26,15 +27,40 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
             Quantity::Table(COLUMNS),
             "CSV with columns duration_s, load_N or approach_um, and offset_one_x_mm and the same of y and of body two where they are not zero",
         ),
+        WITHIN,
+        APART_AT_MOST,
         CYCLE_COUNT,
         JUMP,
         JUMP_TOLERANCE,
     ],
     build: |values| {
         let rows = read(values.table("file").unwrap_or_default())?;
-        Table::new(rows)?.over(Cycles::read(values)?)
+        let table = match (values.number("within"), values.number("apart")) {
+            (Some(share), Some(way)) => Table::merging(&rows, Within { share, way })?,
+            (None, None) => Table::new(rows)?,
+            (Some(_), None) => {
+                let message = "how far the contact may move over a body from a station to the next: a part of the size of the contact";
+                return Err(Invalid::new("apart", message).beside("within"));
+            }
+            (None, Some(_)) => {
+                let message = "what loads and the distance slid may be off where stations are left out, as 0.01";
+                return Err(Invalid::new("within", message).beside("apart"));
+            }
+        };
+        table.over(Cycles::read(values)?)
     },
 };
+
+const WITHIN: Parameter = Parameter::optional(
+    "within",
+    Quantity::Number,
+    "for long tables: stations are left out where loads and the distance slid are off by less than that, relative to them, as 0.01",
+);
+const APART_AT_MOST: Parameter = Parameter::optional(
+    "apart",
+    Quantity::Length,
+    "and where the contact moves over no body by more than that from a station to the next: a part of the size of the contact",
+);
 
 /// The columns that a table may have.
 const COLUMNS: &[(&str, Quantity)] = &[
@@ -80,6 +106,7 @@ pub struct Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     rows: Vec<Row>,
+    merged: Option<Merged>,
 }
 
 impl Table {
@@ -95,25 +122,28 @@ impl Table {
                 "has {count} stations: from 2 to {MOST_INCREMENTS} can be gone through"
             )));
         }
-        let [instant, _] = Quantity::Time.range();
-        for (index, row) in rows.iter().enumerate() {
-            let at = |what: &str| wrong(format!("station {}: {what}", index + 1));
-            if !row.offsets.iter().flatten().all(|offset| offset.is_finite()) {
-                return Err(at("offsets must be finite"));
-            }
-            if !(row.duration.is_finite() && row.duration >= instant) {
-                return Err(at("the duration must be greater than zero"));
-            }
-            pressing(row.control).map_err(|invalid| at(&invalid.message))?;
-            if std::mem::discriminant(&row.control) != std::mem::discriminant(&rows[0].control) {
-                return Err(at("all stations must give a load, or all an approach"));
-            }
-        }
-        let table = Self { rows };
+        rows.iter().enumerate().try_for_each(|(index, row)| checked(index, row, &rows[0]))?;
+        let table = Self { rows, merged: None };
         if table.way() > 0.0 {
             return Ok(table);
         }
         Err(wrong("no body slides on the other: the offsets of both change alike, or not at all"))
+    }
+
+    /// Of as few of many stations as a tolerance takes.
+    ///
+    /// # Errors
+    /// As [`Table::new`], or if a tolerance is not one.
+    pub fn merging(rows: &[Row], within: Within) -> Result<Self, Invalid> {
+        // All of them, however many, have to be stations.
+        rows.iter().enumerate().try_for_each(|(index, row)| checked(index, row, &rows[0]))?;
+        let (kept, merged) = merged(rows, within)?;
+        Ok(Self { merged: Some(merged), ..Self::new(kept)? })
+    }
+
+    /// What it has lost of the stations it was made of, where some were left out.
+    pub fn merged(&self) -> Option<Merged> {
+        self.merged
     }
 
     /// The motion that it makes, in cycles.
@@ -160,8 +190,15 @@ impl Table {
 
     /// Slip (m) of body 2 over body 1 from a station to the next.
     pub fn slip(&self, row: usize) -> [f64; 2] {
-        let [here, next] = [row, row + 1].map(|row| self.rows[row % self.rows.len()].offsets);
-        let [one, two] = [0, 1].map(|body| [0, 1].map(|axis| next[body][axis] - here[body][axis]));
+        let [here, next] = [row, row + 1].map(|row| &self.rows[row % self.rows.len()]);
+        Self::slips(here, next)
+    }
+
+    /// The same from one station to another.
+    pub(super) fn slips(here: &Row, next: &Row) -> [f64; 2] {
+        let moved =
+            |body: usize| [0, 1].map(|axis| next.offsets[body][axis] - here.offsets[body][axis]);
+        let [one, two] = [moved(0), moved(1)];
         [one[0] - two[0], one[1] - two[1]]
     }
 
@@ -180,6 +217,23 @@ impl Table {
         let offsets = || self.rows.iter().map(|row| row.offsets[body][axis]);
         [offsets().fold(f64::INFINITY, f64::min), offsets().fold(f64::NEG_INFINITY, f64::max)]
     }
+}
+
+/// A station that can be gone through, numbered from 0; the first says whether loads or approaches are given.
+fn checked(index: usize, row: &Row, first: &Row) -> Result<(), Invalid> {
+    let [instant, _] = Quantity::Time.range();
+    let at = |what: &str| wrong(format!("station {}: {what}", index + 1));
+    if !row.offsets.iter().flatten().all(|offset| offset.is_finite()) {
+        return Err(at("offsets must be finite"));
+    }
+    if !(row.duration.is_finite() && row.duration >= instant) {
+        return Err(at("the duration must be greater than zero"));
+    }
+    pressing(row.control).map_err(|invalid| at(&invalid.message))?;
+    if std::mem::discriminant(&row.control) != std::mem::discriminant(&first.control) {
+        return Err(at("all stations must give a load, or all an approach"));
+    }
+    Ok(())
 }
 
 /// The stations in the columns of a file.
@@ -292,6 +346,51 @@ mod tests {
         assert!(read(&with(1.0)).is_ok());
         assert!(message(&with(-1.0)).contains("`velocity_two_x` contradicts `offset_two_x`"));
         assert!(message(&with(1e3)).contains("contradicts"));
+    }
+
+    /// Long tables, with all digits and with rounded ones, are held to their velocities as short ones are: a sign, a unit, an axis or a
+    /// body that is another one shows, and rounding does not.
+    #[test]
+    fn velocities_of_long_tables_lead_where_offsets_do() {
+        for stations in [1_000, 10_000, 100_000] {
+            let time = 1.0 / stations as f64;
+            let angle = |station: usize| TAU * station as f64 * time;
+            let columns = |digits: i32, wrong: &dyn Fn(f64, f64) -> [f64; 2]| {
+                let ten = 10f64.powi(digits);
+                let rounded = |value: f64| (value * ten).round() / ten;
+                let column = |name: &str, of: &dyn Fn(usize) -> f64| {
+                    (name.to_owned(), (0..stations).map(|one| rounded(of(one))).collect())
+                };
+                let velocity = |axis: usize| {
+                    move |one: usize| {
+                        let (sin, cos) = angle(one).sin_cos();
+                        wrong(2e-3 * TAU * sin, -2e-3 * TAU * cos)[axis]
+                    }
+                };
+                vec![
+                    ("duration".to_owned(), vec![time; stations]),
+                    ("load".to_owned(), vec![10.0; stations]),
+                    column("offset_two_x", &|one| 2e-3 * angle(one).cos()),
+                    column("offset_two_y", &|one| 2e-3 * angle(one).sin()),
+                    column("velocity_two_x", &velocity(0)),
+                    column("velocity_two_y", &velocity(1)),
+                ]
+            };
+            for digits in [6, 12] {
+                assert!(read(&columns(digits, &|x, y| [x, y])).is_ok(), "{stations} {digits}");
+                let wrongs: [&dyn Fn(f64, f64) -> [f64; 2]; 5] = [
+                    &|x, y| [-x, y],
+                    &|x, y| [x, -y],
+                    &|x, y| [1e3 * x, 1e3 * y],
+                    &|x, y| [y, x],
+                    &|x, y| [1.05 * x, y],
+                ];
+                for (which, wrong) in wrongs.iter().enumerate() {
+                    let told = message(&columns(digits, *wrong));
+                    assert!(told.contains("contradicts"), "{stations} {digits} {which}: {told}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,16 +1,25 @@
 //! The lines of a verdict that can be foreseen: elements across the contact, and what a plane frame neglects.
 
 use super::{Forecast, Parts};
+use crate::output::Stations;
 use crate::verdict::{self, Line, Verdict};
 use archard::estimate::Conforming;
 
 /// The verdict on a run, as far as closed forms tell.
 pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
+    let width = forecast.estimate.reach().map(|[x, y]| 2.0 * x.min(y));
+    let stations = parts.motion.table().and_then(Stations::of);
+    let stations = stations.iter().flat_map(|stations| stations.lines(width));
+    Verdict { lines: of_contact(parts, forecast).into_iter().chain(stations).collect() }
+}
+
+/// How finely the contact is divided, and what a plane frame neglects.
+fn of_contact(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Line> {
     let (Some(first), Some(reach)) = (forecast.cells_across, forecast.estimate.reach()) else {
-        return Verdict::default();
+        return vec![];
     };
     if parts.case.is_meshed() {
-        return Verdict::default();
+        return vec![];
     }
     let frame = &parts.case.last_frame();
     let (spacing, elements) = (frame.spacing(), frame.elements);
@@ -25,7 +34,7 @@ pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
     });
     let rows = [verdict::first_contact(fewest(first)), verdict::contact(fewest(last))];
     let rows = rows.into_iter().filter(|line| line.value.is_finite());
-    Verdict { lines: rows.chain(neglected(parts, reach)).collect() }
+    rows.chain(neglected(parts, reach)).collect()
 }
 
 /// What a plane frame neglects of half-spaces that conform, where their contact reaches so far (m) along x and y.

@@ -4,18 +4,16 @@ mod forecast;
 mod meshing;
 mod print;
 
-use std::sync::Arc;
-
 use archard::friction::Friction;
 use archard::parameters::{Bound, Choice, Parameter, Quantity};
-use archard::wear::WearLaw;
-use archard_gear::{Gear, GearError, Limit, Mesh, Pair, Sharing};
+use archard_gear::{Gear, Mesh, Misfit, Pair, Sharing};
 
 pub use forecast::GearForecast;
 pub use meshing::{MESH, Meshing};
 
 use super::chosen::Chosen;
 use super::key::Key;
+use super::lines;
 use super::problem::Problem;
 use super::wheel_rail::Rolled;
 use crate::output::GearResults;
@@ -75,29 +73,12 @@ impl GearCase {
     /// # Errors
     /// If values of the case do not fit together.
     pub fn prepare(&self) -> Result<(Mesh, Meshing), Problem> {
-        let motion = Key::of(["motion", "mesh"]);
-        let wrong = |error: GearError| {
-            let key = match error.gear {
-                Some(gear) if error.cause.parameter == "wear" => {
-                    return Problem::error(
-                        Key::of(["body", &self.gears[gear].name, "wear"]),
-                        error.cause.message,
-                    );
-                }
-                Some(gear) => Key::of(["body", &self.gears[gear].name, "profile", "involute"]),
-                None if error.cause.parameter == "friction" => {
-                    return Problem::error(Key::of(["friction"]), error.cause.message);
-                }
-                None => motion.clone(),
-            };
-            Problem::error(key.child(&error.cause.parameter), error.cause.message)
-        };
+        let [one, two] = &self.gears;
+        let names = [(&*one.name, "involute"), (&*two.name, "involute")];
+        let wrong = |error: Misfit| lines::misfit(error, names, "mesh");
         let meshing = self.motion.build().map_err(|invalid| wrong(invalid.into()))?;
         let gear = |which: usize| {
-            self.gears[which]
-                .profile
-                .build()
-                .map_err(|invalid| wrong(GearError::of(which, invalid)))
+            self.gears[which].profile.build().map_err(|invalid| wrong(Misfit::of(which, invalid)))
         };
         let pair = Pair::new([gear(0)?, gear(1)?], meshing.centre_distance).map_err(wrong)?;
         if let Sharing::Table(rows) = &meshing.sharing {
@@ -112,54 +93,28 @@ impl GearCase {
                     1e3 * pair.start,
                     1e3 * pair.end
                 );
-                return Err(Problem::error(motion.child("share"), message));
+                return Err(Problem::error(Key::of(["motion", "mesh", "share"]), message));
             }
         }
-        let law = |which: usize| -> Result<Option<Arc<dyn WearLaw>>, Problem> {
-            let Rolled { name, wear, .. } = &self.gears[which];
-            let Some(law) = wear else { return Ok(None) };
-            let key = Key::of(["body", name, "wear", law.choice.name]);
-            let built = law.build().map_err(|invalid| {
-                Problem::error(key.child(&invalid.parameter), invalid.message)
-            })?;
-            Ok(Some(Arc::from(built)))
-        };
-        let laws = [law(0)?, law(1)?];
-        let friction = self.friction.as_ref().map(|law| -> Result<Arc<dyn Friction>, Problem> {
-            let key = Key::of(["friction", law.choice.name]);
-            let built = law.build().map_err(|invalid| {
-                Problem::error(key.child(&invalid.parameter), invalid.message)
-            })?;
-            Ok(Arc::from(built))
-        });
-        let friction = friction.transpose()?;
+        let wears = [(&*one.name, &one.wear), (&*two.name, &two.wear)];
+        let laws = lines::laws(wears, self.friction.as_ref())?;
         let materials = [&self.gears[0].material, &self.gears[1].material];
         let load = [meshing.torque, meshing.width];
-        let mesh = Mesh::new(pair, load, materials, meshing.sharing.clone(), (friction, laws))
-            .map_err(wrong)?;
-        self.hold(&mesh, &meshing)?;
+        let mesh =
+            Mesh::new(pair, load, materials, meshing.sharing.clone(), laws).map_err(wrong)?;
+        lines::hold(
+            [&one.name, &two.name],
+            mesh.laws.each_ref().map(Option::is_some),
+            self.until,
+            meshing.meshes,
+            [
+                "mesh",
+                "meshes",
+                "how many meshes a flank goes through, since it wears: `meshes`, or `turns` of the first gear",
+                "counts for nothing: neither gear has a wear law",
+            ],
+        )?;
         Ok((mesh, meshing))
-    }
-
-    /// Refuses meshes that wear nothing, and wear of no meshes.
-    fn hold(&self, mesh: &Mesh, meshing: &Meshing) -> Result<(), Problem> {
-        let wears = mesh.laws.iter().any(Option::is_some);
-        if wears && meshing.meshes.is_none() {
-            let message = "how many meshes a flank goes through, since it wears: `meshes`, or `turns` of the first gear";
-            return Err(Problem::missing(Key::of(["motion", "mesh", "meshes"]), message));
-        }
-        if !wears && meshing.meshes.is_some() {
-            let message = "counts for nothing: neither gear has a wear law";
-            return Err(Problem::error(Key::of(["motion", "mesh", "meshes"]), message));
-        }
-        for (which, limit) in self.until.iter().enumerate() {
-            if limit.is_some() && mesh.laws[which].is_none() {
-                let name = &self.gears[which].name;
-                let message = format!("`{name}` has no wear law: it reaches no limit");
-                return Err(Problem::error(Key::of(["until"]), message));
-            }
-        }
-        Ok(())
     }
 
     /// What the flanks go through.
@@ -168,8 +123,7 @@ impl GearCase {
     /// If values of the case do not fit together.
     pub fn solve(&self) -> Result<GearResults, Problem> {
         let (mesh, meshing) = self.prepare()?;
-        let limit = |gear: usize| Some(Limit { gear, depth: self.until[gear]? });
-        let limits: Vec<Limit> = (0..2).filter_map(limit).collect();
+        let limits = lines::limits(self.until);
         let meshes = meshing.meshes.unwrap_or(0.0);
         let worn = mesh.wear(meshes, meshing.of_gear_two(&mesh.pair), &limits);
         let names = self.gears.each_ref().map(|gear| gear.name.clone());

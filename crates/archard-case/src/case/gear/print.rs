@@ -3,24 +3,12 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::GearCase;
-use crate::case::print::{print_chosen, quoted, si};
-use crate::case::wheel_rail::print::print_body;
+use crate::case::lines;
 
 impl Display for GearCase {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if let Some(title) = &self.title {
-            writeln!(f, "title = {}\n", quoted(title))?;
-        }
-        self.gears.iter().try_for_each(|gear| print_body(f, gear))?;
-        if let Some(friction) = &self.friction {
-            print_chosen(f, "friction", friction)?;
-        }
-        print_chosen(f, "motion", &self.motion)?;
-        for (gear, limit) in self.gears.iter().zip(self.until) {
-            if let Some(depth) = limit {
-                writeln!(f, "until.wear_depth_{} = {}", gear.name, si(depth, "m"))?;
-            }
-        }
-        Ok(())
+        let [one, two] = &self.gears;
+        let friction = self.friction.as_ref();
+        lines::print(f, self.title.as_deref(), (one, two), friction, &self.motion, self.until)
     }
 }

@@ -9,7 +9,7 @@ use archard::parameters::Quantity;
 use archard_gear::Gear;
 
 /// The tables of such a case.
-const TABLES: &[&str] = &["title", "body", "friction", "motion", "until"];
+pub(super) const TABLES: &[&str] = &["title", "body", "friction", "motion", "until"];
 
 impl Reader<'_> {
     /// Whether a case is about two gears.
@@ -55,7 +55,11 @@ impl Reader<'_> {
     }
 
     /// The worn depths at which lives of two bodies end.
-    fn worn_depths(&mut self, root: &Section<'_>, names: [&str; 2]) -> Option<[Option<f64>; 2]> {
+    pub(super) fn worn_depths(
+        &mut self,
+        root: &Section<'_>,
+        names: [&str; 2],
+    ) -> Option<[Option<f64>; 2]> {
         let Some((key, entry)) = root.get("until") else { return Some([None; 2]) };
         let section = self.as_table(key, &entry.node)?;
         let keys = names.map(|name| format!("wear_depth_{name}"));

@@ -1,6 +1,7 @@
 //! From the tree as written to a case: every key read and checked by itself.
 
 mod body;
+mod cam;
 mod elastic;
 mod finite;
 mod frame;

@@ -6,6 +6,7 @@ mod edges;
 mod extent;
 mod limits;
 mod roughness;
+mod stations;
 mod work;
 
 use serde::{Deserialize, Serialize};
@@ -21,6 +22,7 @@ use archard::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_
 use archard::numerics::WRITTEN;
 use edges::Edges;
 use limits::Limits;
+pub(crate) use stations::Stations;
 use work::Cycle;
 
 /// The numbers so far; the worst of all reports where nothing else is said.
@@ -62,6 +64,8 @@ pub(super) struct Evidence {
     peclet: Option<f64>,
     /// How near the run comes to the limits of the theory.
     limits: Limits,
+    /// What the stations left out of a table lose.
+    stations: Option<Stations>,
 }
 
 impl Evidence {
@@ -143,6 +147,7 @@ impl Evidence {
             };
             worst(&mut self.roughness, found);
         }
+        self.stations = problem.motion.table().and_then(Stations::of);
     }
 
     /// The lines that follow.
@@ -165,7 +170,10 @@ impl Evidence {
             self.carried.map(verdict::mesh),
         ];
         let balance = balance.into_iter().flatten();
-        let lines = lines.into_iter().flatten().chain(balance);
+        let width = self.largest.iter().map(|(element, across)| element * across);
+        let width = width.reduce(f64::min);
+        let stations = self.stations.iter().flat_map(|stations| stations.lines(width));
+        let lines = lines.into_iter().flatten().chain(balance).chain(stations);
         Verdict { lines: lines.chain(self.limits.lines()).collect() }
     }
 }
