@@ -54,6 +54,7 @@ mod verification {
     mod stresses_of_half_spaces;
     mod stresses_under_contact;
     mod swinging;
+    mod tetrahedra;
     mod track;
     mod unequal_pairs;
     mod wear_laws;

@@ -22,6 +22,7 @@ use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
 use crate::compliance::bem::{
     self, Boundary, Conditions, Interior, Solid, Surface, Told, advice, forces,
 };
+use crate::compliance::fem::Inside;
 use crate::compliance::{Balance, Undetermined, Unsolved};
 use crate::frame::VectorField;
 
@@ -176,7 +177,8 @@ impl ElasticBody {
         let Self { material, finite, .. } = self;
         let surface = self.surface();
         let conditions = self.conditions(&surface)?;
-        let job = Job { surface: &surface, conditions: &conditions, told: Told::default() };
+        let told = Told::default();
+        let job = Job { surface: &surface, conditions: &conditions, told };
         let boundary = solve(finite, material, &job, &[])?;
         let wanted = (&self.points[..], &self.sections[..]);
         Deformed::of((material, finite.tolerance), &job, &boundary, wanted)
@@ -230,6 +232,11 @@ impl Deformed {
         let Body { material: Some(material), finite: Some(finite), .. } = bodies[which] else {
             return Ok(None);
         };
+        if let Some((surface, inside)) = meeting.inside(which, tractions)? {
+            let mut deformed = Self::inside(surface, &inside, wanted)?;
+            deformed.worn = meeting.on_nodes(which, worn);
+            return Ok(Some(deformed));
+        }
         let Some((job, acting)) = meeting.acting_on(which, tractions) else { return Ok(None) };
         let boundary = solve(finite, material, &job, &acting)?;
         let mut deformed = Self::of((material, finite.tolerance), &job, &boundary, wanted)?;
@@ -269,6 +276,39 @@ impl Deformed {
             sections,
             worn,
             balance,
+            forces,
+        })
+    }
+
+    /// The same from what finite elements say of the inside.
+    fn inside(
+        surface: &Surface,
+        inside: &Inside,
+        (points, sections): Wanted<'_>,
+    ) -> Result<Self, ElasticError> {
+        let (displacement, stress) = inside.on(surface);
+        let nodes = surface.traction_nodes();
+        let traction: Vec<DVec3> =
+            stress.iter().zip(nodes).map(|(stress, node)| *stress * node.normal).collect();
+        let at = |place: DVec3| inside.at(place).map(Response::from);
+        let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
+        let point = |point: &Point| at(point.place.into()).ok_or_else(|| outside(point));
+        let mut forces = vec![[0.0; 3]; surface.names().len()];
+        for (traction, node) in traction.iter().zip(nodes) {
+            for axis in 0..3 {
+                forces[node.surface][axis] += node.area * traction[axis];
+            }
+        }
+        let corners = surface.corners();
+        Ok(Self {
+            points: points.iter().map(point).collect::<Result<_, _>>()?,
+            sections: sections.iter().map(|one| one.responses(Some(&corners), at)).collect(),
+            surface: surface.clone(),
+            displacement: displacement.iter().map(DVec3::to_array).collect(),
+            traction: traction.iter().map(DVec3::to_array).collect(),
+            stress: stress.iter().map(DMat3::to_cols_array_2d).collect(),
+            worn: vec![],
+            balance: Balance::default(),
             forces,
         })
     }

@@ -6,6 +6,9 @@ use archard::body::mesh::{Listed, Meshed, Shape, Supported};
 use archard::body::{Elasticity, Finite, Interpolation, Support};
 use archard::parameters::Invalid;
 
+/// Why finite elements do not carry a body.
+const NOT_FILLED: &str = "finite elements take a file with tetrahedra alone, whose elements on `contact` stay as they are: leave its `elements` out, and mesh the body finer there";
+
 /// The mesh of a body and how it is held.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +30,7 @@ pub struct FiniteCase {
 }
 
 /// Why a body has no image field.
-pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names";
+pub(super) const NO_IMAGE: &str = "an image field takes a body that touches with a flat face, and a frame or zone that ends before the face does: of a `box`, smaller than its top; of a `file` with tetrahedra, on the one flat face along z that nothing holds, or on the face that `contact` names. Without a `[frame]`, `elasticity = \"finite_elements\"` lets the tetrahedra of a file bear the contact on any face that `contact` names";
 
 impl FiniteCase {
     /// The mesh; with an image field a coarse one that knows of no contact.
@@ -38,7 +41,20 @@ impl FiniteCase {
         if self.elasticity == Elasticity::Image {
             return self.coarse(self.zone().map(|(size, _)| [[0.0; 2], size]));
         }
+        if self.elasticity == Elasticity::FiniteElements {
+            return self.filled();
+        }
         Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
+    }
+
+    /// The mesh with the tetrahedra inside.
+    fn filled(&self) -> Result<Meshed, BuildError> {
+        if self.mirrored != [false; 2] {
+            let message = "finite elements are those of the whole body: mesh all of it, and leave `symmetry` out";
+            return Err(Invalid::new("path", message).into());
+        }
+        let missing = || Invalid::new("path", NOT_FILLED);
+        Ok(self.mesh.build()?.filled().ok_or_else(missing)??)
     }
 
     /// The surfaces that supports hold; none where a half-space stands for the body.
@@ -98,6 +114,7 @@ impl FiniteCase {
         // Image fields are those of whole bodies.
         let (meshed, mirrored) = match self.elasticity {
             Elasticity::Image => (self.coarse(Some([frame.centre, frame.size]))?, [false; 2]),
+            Elasticity::FiniteElements => (self.filled()?, self.mirrored),
             _ => (shape.mesh(self.mirrored, &self.held())?, self.mirrored),
         };
         let curvatures = match (self.elasticity, meshed.placed) {

@@ -263,6 +263,7 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
         Elasticity::HalfSpace => "half_space",
         Elasticity::Image => "image",
         Elasticity::BoundaryElements => "boundary_elements",
+        Elasticity::FiniteElements => "finite_elements",
     };
     if finite.why.is_none() {
         writeln!(f, "{key}.elasticity = {}", quoted(elasticity))?;

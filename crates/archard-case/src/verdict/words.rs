@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 47] = [
+const GOOD: [(&str, &str, Number); 48] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -64,6 +64,7 @@ const GOOD: [(&str, &str, Number); 47] = [
     ("stations", "{} {text}", Number::Share),
     ("apart", "the contact moves by {} of its width where stations are left out", Number::Share),
     ("worn shape", "worn shapes change the deepest wear by {}", Number::Share),
+    ("mesh", "displacements known to {} with these tetrahedra", Number::Share),
 ];
 
 /// The place of a subject among all.

@@ -32,8 +32,17 @@ pub enum Elasticity {
     /// Its own shape and supports, as a half-space with an image field: the zone lies on a flat face, and the mesh says nothing of it,
     /// and the frame divides it. The mesh is coarse; halved once, it says how far the image field is off.
     Image,
+    /// Its own shape and supports, by the tetrahedra inside it: its nodes on the zone are the pairs, and its elements bear what acts there.
+    FiniteElements,
     /// A half-space in its place: the mesh gives the pairs and their gap only.
     HalfSpace,
+}
+
+impl Elasticity {
+    /// Whether the mesh of the body itself deforms, with the zone as it is.
+    pub fn is_own(self) -> bool {
+        matches!(self, Self::BoundaryElements | Self::FiniteElements)
+    }
 }
 
 /// What is known on a surface away from the contact.

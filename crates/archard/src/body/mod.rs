@@ -195,6 +195,12 @@ impl Body {
         self.finite.as_ref().is_some_and(|finite| finite.elasticity == Elasticity::Image)
     }
 
+    /// Whether tetrahedra inside bear the contact.
+    pub fn carries(&self) -> bool {
+        let elasticity = self.finite.as_ref().map(|finite| finite.elasticity);
+        elasticity == Some(Elasticity::FiniteElements)
+    }
+
     /// Curvatures 1/R along x and y (1/m) of the surface in the middle of the contact, positive where it is
     /// convex: of the profile on a plane, or on the mesh. `None` where they are not known.
     pub fn curvatures(&self) -> Option<[f64; 2]> {

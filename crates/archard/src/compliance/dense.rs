@@ -50,14 +50,49 @@ impl Dense {
     /// If there is no memory for it.
     pub(super) fn new(bodies: &[MatRef<'_, f64>]) -> Result<Self, NoMemory> {
         let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
-        let mut columns = Large::zeros(3 * pairs, 3 * pairs)?;
-        columns.values_mut().par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
-            let (e, j) = (column / pairs, column % pairs);
-            for (row, value) in values.iter_mut().enumerate() {
-                let (d, i) = (row / pairs, row % pairs);
-                *value = bodies.iter().map(|body| body[(3 * i + d, 3 * j + e)]).sum();
-            }
-        });
+        let mut own = Self::empty(pairs)?;
+        own.columns.values_mut().par_chunks_mut(3 * pairs).enumerate().for_each(
+            |(column, values)| {
+                let (e, j) = (column / pairs, column % pairs);
+                for (row, value) in values.iter_mut().enumerate() {
+                    let (d, i) = (row / pairs, row % pairs);
+                    *value = bodies.iter().map(|body| body[(3 * i + d, 3 * j + e)]).sum();
+                }
+            },
+        );
+        Ok(own.filled())
+    }
+
+    /// Of so many pairs, nothing known yet.
+    ///
+    /// # Errors
+    /// If there is no memory for it.
+    pub(super) fn empty(pairs: usize) -> Result<Self, NoMemory> {
+        Ok(Self {
+            pairs,
+            columns: Large::zeros(3 * pairs, 3 * pairs)?,
+            normal_self_term: 0.0,
+            tangential_self_term: 0.0,
+            couples: true,
+            balance: vec![],
+        })
+    }
+
+    /// Puts in the displacements (m), three a pair, under a unit traction (Pa) of a pair along an axis.
+    pub(super) fn fill(&mut self, pair: usize, along: usize, displacements: &[f64]) {
+        let pairs = self.pairs;
+        let column =
+            &mut self.columns.values_mut()[(along * pairs + pair) * 3 * pairs..][..3 * pairs];
+        for (row, value) in column.iter_mut().enumerate() {
+            *value = displacements[3 * (row % pairs) + row / pairs];
+        }
+    }
+
+    /// The same with what follows from the matrix once it is there.
+    #[must_use]
+    pub(super) fn filled(mut self) -> Self {
+        let Self { pairs, columns, .. } = &self;
+        let pairs = *pairs;
         let own = |d: usize| {
             let diagonal =
                 (0..pairs).map(|pair| columns.values()[(d * pairs + pair) * (3 * pairs + 1)]);
@@ -68,8 +103,10 @@ impl Dense {
             columns.values()[column * 3 * pairs + row].abs() > SAME * normal_self_term
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
-        let balance = vec![];
-        Ok(Self { pairs, columns, normal_self_term, tangential_self_term, couples, balance })
+        self.normal_self_term = normal_self_term;
+        self.tangential_self_term = tangential_self_term;
+        self.couples = couples;
+        self
     }
 
     /// The same with what is left of the balance of the bodies of these indices.

@@ -3,6 +3,7 @@
 
 #[doc(hidden)]
 pub mod bem;
+mod carried;
 mod dense;
 #[doc(hidden)]
 pub mod fem;
@@ -21,6 +22,7 @@ pub use crate::numerics::dense::Unsolved;
 pub use crate::numerics::large::NoMemory;
 pub use bem::contact::ContactError;
 pub use bem::{Balance, Undetermined};
+pub use carried::Carried;
 pub use dense::Dense;
 pub use half_space::{HalfSpace, Periodic};
 pub use image::Image;

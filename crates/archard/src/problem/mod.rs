@@ -1,5 +1,6 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod alone;
 mod edge;
 mod even;
 mod gap;

@@ -217,7 +217,7 @@ impl Builder {
             Touch::Given(frame, compliance) => (frame, compliance),
             Touch::Meshed => {
                 let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
-                (frame, Arc::new(compliance))
+                (frame, compliance)
             }
             Touch::Line(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);

@@ -12,7 +12,6 @@ use crate::case::finite::FiniteCase;
 use archard::body::mesh::Shape;
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Elasticity, Interpolation};
-use archard::compliance::Compliance;
 use archard::compliance::bem::contact;
 use archard::parameters::{Value, Values};
 use archard::simulation;

@@ -5,7 +5,6 @@ use super::Parts;
 use super::words::{both, three};
 use crate::case::problem::Problem;
 use crate::verdict::{self, EDGES};
-use archard::body::Elasticity;
 use archard::compliance::bem::contact::Meeting;
 use archard::estimate::{Contact, Estimate};
 use archard::frame::Pairs;
@@ -14,7 +13,7 @@ use archard::frame::Pairs;
 pub(super) fn conforms<'a>(parts: &'a Parts<'_>, contact: &Contact) -> Option<(&'a str, f64)> {
     let wide = parts.bodies.iter().filter_map(|body| {
         let finite = body.finite.as_ref()?;
-        if finite.elasticity != Elasticity::BoundaryElements {
+        if !finite.elasticity.is_own() {
             return None;
         }
         let curvatures = body.curvatures()?;

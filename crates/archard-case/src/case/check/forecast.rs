@@ -115,6 +115,7 @@ fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> 
         let way = match finite.elasticity {
             Elasticity::Image => "half-space and image field",
             Elasticity::BoundaryElements => "mesh around its zone",
+            Elasticity::FiniteElements => "finite elements inside",
             Elasticity::HalfSpace => "half-space on its mesh",
         };
         Some((body.name.clone(), way, finite.why))

@@ -8,7 +8,7 @@ use super::{
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::verdict::{self, EDGES, Line, Word};
-use archard::body::Elasticity;
+use archard::body::Body;
 use archard::estimate::Contact;
 use archard::motion::Stepping;
 use archard::problem;
@@ -245,7 +245,7 @@ fn ends_there(parts: &Parts<'_>, axis: usize) -> bool {
     parts.bodies.iter().all(|body| {
         let Some(finite) = &body.finite else { return false };
         let mut vertices = finite.meshed.mesh.vertices.iter();
-        finite.elasticity == Elasticity::BoundaryElements
+        finite.elasticity.is_own()
             && !finite.meshed.placed
             && vertices.all(|vertex| vertex[axis].abs() <= half * (1.0 + 1e-9))
     })
@@ -262,8 +262,10 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             "only {} {pairs} lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
             three(fewest)
         );
+        let finer = "mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)";
         let help = match parts.zone_of_a_file() {
-            true => "take more elements there: `contact = { near = [x, y, z], size = .., elements = .. }` divides them, or mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)".to_owned(),
+            true if parts.bodies.iter().any(Body::carries) => finer.to_owned(),
+            true => format!("take more elements there: `contact = {{ near = [x, y, z], size = .., elements = .. }}` divides them, or {finer}"),
             false => format!("take more elements or a smaller {}", parts.frame_word()),
         };
         let line = verdict::first_contact(fewest);
@@ -277,7 +279,7 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     for body in &parts.bodies {
         let curvatures = body.curvatures()?;
         let finite = body.finite.as_ref();
-        if finite.is_some_and(|finite| finite.elasticity == Elasticity::BoundaryElements) {
+        if finite.is_some_and(|finite| finite.elasticity.is_own()) {
             continue;
         }
         for (axis, name) in ["x", "y"].into_iter().enumerate() {

@@ -102,8 +102,13 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
             Problem::error(parts.frame_key("size"), message)
                 .help("the profile does not cover the zone of the mesh")
         }
+        ContactError::SameWay { body } => {
+            Problem::error(parts.zone_key(&bodies[body], "size"), message)
+                .help("turn the body over in its file, or name the other side of it as `contact`")
+        }
         ContactError::NoZone { body }
         | ContactError::HasImage { body }
+        | ContactError::Hollow { body }
         | ContactError::Singular { body, .. } => {
             Problem::error(key(&bodies[body], "mesh"), message).at_name()
         }

@@ -235,6 +235,9 @@ fn size(finite: &Finite) -> Size {
     let size = Size::of(&finite.meshed, finite.interpolation);
     match finite.elasticity {
         Elasticity::BoundaryElements => size,
+        Elasticity::FiniteElements => {
+            Size { contact: size.contact, ..Size::inside(&finite.meshed).unwrap_or(size) }
+        }
         // The last of its meshes has four times as many elements.
         Elasticity::Image => Size::inside(&finite.meshed).unwrap_or(Size {
             unknowns: 4 * size.unknowns,

@@ -69,6 +69,13 @@ impl Reader<'_> {
         let finite =
             FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity, why };
         let finite = if says { finite } else { image::chosen(finite, self.framed) };
+        let finite = match finite.elasticity {
+            // Nodes at the corners are those of the tetrahedra.
+            Elasticity::FiniteElements => {
+                FiniteCase { interpolation: Interpolation::Continuous, ..finite }
+            }
+            _ => finite,
+        };
         let meshed = self.meshed(&section, &finite)?;
         let named = self.named(body, &finite, &meshed);
         (read.is_some() && named).then_some(Some(finite))
@@ -77,7 +84,7 @@ impl Reader<'_> {
     /// The mesh, if it is sound.
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
-        if finite.elasticity == Elasticity::Image {
+        if matches!(finite.elasticity, Elasticity::Image | Elasticity::FiniteElements) {
             return self.imaged(&key, finite);
         }
         let shape = finite.mesh.build().ok()?;
@@ -103,7 +110,7 @@ impl Reader<'_> {
         self.sound(&key, finite, &meshed).then_some(meshed)
     }
 
-    /// The coarse mesh of an image field, if it is sound.
+    /// The coarse mesh of an image field, or that of finite elements, if it is sound.
     fn imaged(&mut self, key: &Key, finite: &FiniteCase) -> Option<Meshed> {
         match finite.meshed() {
             // What generators make is sound.
@@ -162,9 +169,10 @@ impl Reader<'_> {
         let elasticity = match &entry.node.item {
             Item::Text(word) if word == "boundary_elements" => Elasticity::BoundaryElements,
             Item::Text(word) if word == "image" => Elasticity::Image,
+            Item::Text(word) if word == "finite_elements" => Elasticity::FiniteElements,
             Item::Text(word) if word == "half_space" => Elasticity::HalfSpace,
             _ => {
-                let message = "expected \"image\", \"boundary_elements\" or \"half_space\"";
+                let message = "expected \"image\", \"boundary_elements\", \"finite_elements\" or \"half_space\"";
                 self.push(Problem::error(key, message));
                 return None;
             }

@@ -8,7 +8,6 @@ use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::output::Limit;
-use archard::body::Elasticity;
 use archard::elastic::{self, Point};
 use archard::motion::{Motion, Planned, Progress, Shift};
 use archard::parameters::{Quantity, Values};
@@ -110,11 +109,11 @@ impl Reader<'_> {
                 self.push(Problem::error(key, message).at_name().help(help));
                 continue;
             };
-            let deforms = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
+            let deforms = |finite: &FiniteCase| finite.elasticity.is_own();
             if bodies[body].material.is_none() && bodies[body].layers.is_empty()
                 || bodies[body].finite.as_ref().is_some_and(|finite| !deforms(finite))
             {
-                let message = "has no stress to put out: that takes an elastic body, a half-space or one with a `mesh` and `elasticity = \"boundary_elements\"`";
+                let message = "has no stress to put out: that takes an elastic body, a half-space or one with a `mesh` and `elasticity = \"boundary_elements\"` or `\"finite_elements\"`";
                 self.push(Problem::error(key, message).at_name());
                 continue;
             }

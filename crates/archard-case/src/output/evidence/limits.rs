@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{keep, worst};
 use crate::verdict::{self, Line};
-use archard::body::{Body, Elasticity};
+use archard::body::Body;
 use archard::estimate::Conforming;
 use archard::frame::{ContactFrame, VectorField};
 use archard::problem::{ContactProblem, Flash};
@@ -154,7 +154,7 @@ fn gone(body: &Body, depth: f64) -> Option<f64> {
 
 /// Whether a body is computed with the shape it has.
 fn is_meshed(body: &Body) -> bool {
-    body.finite.as_ref().is_some_and(|one| one.elasticity == Elasticity::BoundaryElements)
+    body.finite.as_ref().is_some_and(|one| one.elasticity.is_own())
 }
 
 /// Keeps the larger of two numbers with its body.

@@ -12,6 +12,7 @@ mod work;
 use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Accuracy, Verdict};
+use archard::body::Body;
 use archard::estimate::Subject;
 use archard::motion::{Control, Stepping};
 use archard::problem::ContactProblem;
@@ -37,6 +38,8 @@ pub(super) struct Evidence {
     balance: Option<[f64; 2]>,
     /// By how much compliances that are approximated miss displacements, relative to the largest.
     missed: Option<f64>,
+    /// The same of bodies that bear the contact on their own tetrahedra.
+    carried: Option<f64>,
     /// Elements across the contact at the first output that bears a load.
     first: Option<f64>,
     /// Sizes (m) of the elements that the run went through, and how many lay across the contact when it was largest there.
@@ -75,7 +78,8 @@ impl Evidence {
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
         if report.output {
-            worst(&mut self.missed, problem.compliance.missed(&state.tractions()));
+            let known = if carried(problem) { &mut self.carried } else { &mut self.missed };
+            worst(known, problem.compliance.missed(&state.tractions()));
         }
         // Frames grow.
         let border = match self.border.take() {
@@ -137,7 +141,11 @@ impl Evidence {
             self.peclet = Some(self.peclet.map_or(peclet, |known| known.min(peclet)));
         }
         if report.output {
-            worst(&mut self.roughness, roughness::of(problem, state));
+            let found = match carried(problem) {
+                true => problem.alone(&state.pressure),
+                false => roughness::of(problem, state),
+            };
+            worst(&mut self.roughness, found);
         }
         self.stations = problem.motion.table().and_then(Stations::of);
     }
@@ -159,6 +167,7 @@ impl Evidence {
             self.roughness.map(verdict::roughness),
             self.peclet.map(verdict::heat),
             self.missed.map(verdict::image),
+            self.carried.map(verdict::mesh),
         ];
         let balance = balance.into_iter().flatten();
         let width = self.largest.iter().map(|(element, across)| element * across);
@@ -167,6 +176,11 @@ impl Evidence {
         let lines = lines.into_iter().flatten().chain(balance).chain(stations);
         Verdict { lines: lines.chain(self.limits.lines()).collect() }
     }
+}
+
+/// Whether tetrahedra inside a body bear the contact.
+fn carried(problem: &ContactProblem) -> bool {
+    problem.bodies.iter().any(Body::carries)
 }
 
 /// Keeps the larger of two numbers; what is not a number stays.

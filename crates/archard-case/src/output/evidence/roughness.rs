@@ -10,7 +10,8 @@ use archard::problem::{ContactProblem, ContactState};
 /// the surfaces themselves are rough.
 const ROUGH: f64 = 0.01;
 
-/// The largest of both along x and y relative to the largest pressure; `None` where pairs form no rows of five, on a mesh too, and where
+/// The largest of both along x and y relative to the largest pressure; `None` where pairs form no rows of five, on a mesh too
+/// (for which see [`ContactProblem::alone`]), and where
 /// the surfaces are rough. Rows across a tip, and across the end of a layer, are left out: the pressure is singular at the tip,
 /// and jumps with the wear law at the end of the layer.
 pub(super) fn of(problem: &ContactProblem, state: &ContactState) -> Option<f64> {

@@ -134,6 +134,15 @@ pub trait Shape: Debug + Send + Sync {
         None
     }
 
+    /// The mesh with what is inside, its surface triangle by triangle that of the tetrahedra; `None` where nobody knows what is inside, or
+    /// the zone takes other elements than it has.
+    ///
+    /// # Errors
+    /// As [`Shape::mesh`].
+    fn filled(&self) -> Option<Result<Meshed, MeshError>> {
+        None
+    }
+
     /// Curvatures 1/R along x and y (1/m) in the middle of the zone, positive where it is convex; `None` where
     /// they are not known.
     fn curvatures(&self) -> Option<[f64; 2]> {

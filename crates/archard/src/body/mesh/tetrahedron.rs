@@ -33,6 +33,17 @@ pub fn points() -> [(Place, f64); 14] {
 /// Slopes of the barycentric coordinates along the last three of them, in which a place is written.
 const ALONG: [DVec3; 4] = [DVec3::NEG_ONE, DVec3::X, DVec3::Y, DVec3::Z];
 
+/// The ten functions that are one at a node and zero at the others.
+pub fn values(at: Place) -> [f64; 10] {
+    std::array::from_fn(|node| match node {
+        0..4 => at[node] * (2.0 * at[node] - 1.0),
+        _ => {
+            let [one, other] = EDGES[node - 4];
+            4.0 * at[one] * at[other]
+        }
+    })
+}
+
 /// Slopes of the ten functions that are one at a node and zero at the others, along the last three coordinates.
 pub fn slopes(at: Place) -> [DVec3; 10] {
     let corner = |corner: usize| (4.0 * at[corner] - 1.0) * ALONG[corner];
@@ -72,16 +83,12 @@ mod tests {
     use approx::assert_relative_eq;
     use glam::DVec3;
 
-    use super::{cubic_slopes, points, slopes, turn};
+    use super::{cubic_slopes, points, slopes, turn, values};
 
     /// The functions, by which slopes are checked.
-    fn values(at: [f64; 4]) -> [f64; 20] {
+    fn all(at: [f64; 4]) -> [f64; 20] {
         std::array::from_fn(|index| match index {
-            0..4 => at[index] * (2.0 * at[index] - 1.0),
-            4..10 => {
-                let [one, other] = super::EDGES[index - 4];
-                4.0 * at[one] * at[other]
-            }
+            0..10 => values(at)[index],
             10..16 => {
                 let [one, other] = super::EDGES[index - 10];
                 at[one] * at[other] * (at[one] - at[other])
@@ -99,7 +106,7 @@ mod tests {
                 let mut at = at;
                 at[axis + 1] += way;
                 at[0] -= way;
-                values(at)
+                all(at)
             };
             let (after, before) = (moved(step), moved(-step));
             for (index, slope) in found.iter().enumerate() {

@@ -144,6 +144,23 @@ impl Conditions {
     }
 }
 
+/// Nothing but the contact of a body that is held somewhere else than on these elements.
+impl Conditions {
+    pub(super) fn of_contact(surface: &Surface, contact: &[(usize, [DVec3; 3])]) -> Self {
+        let mut tractions = vec![Condition::free(); surface.tractions.len()];
+        let mut contact_column = vec![None; tractions.len()];
+        for (column, &(traction, basis)) in contact.iter().enumerate() {
+            tractions[traction] = Condition { basis, given: [Given::Contact; 3] };
+            contact_column[traction] = Some(column);
+        }
+        let contact: Vec<usize> = contact.iter().map(|&(traction, _)| traction).collect();
+        let nodes =
+            vec![NodeCondition { basis: DVec3::AXES, known: [None; 3] }; surface.nodes.len()];
+        let columns = columns(surface, &contact);
+        Self { tractions, nodes, contact, contact_column, columns }
+    }
+}
+
 fn columns(surface: &Surface, contact: &[usize]) -> Vec<usize> {
     let mut touching = vec![false; surface.nodes.len()];
     contact.iter().for_each(|&traction| touching[surface.tractions[traction].node] = true);

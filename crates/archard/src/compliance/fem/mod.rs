@@ -1,11 +1,14 @@
-//! The image field of a body in tetrahedra, by finite elements.
+//! Bodies in tetrahedra, by finite elements: their image fields, and bodies that [bear](Carrier) a contact on their own nodes.
 //!
 //! As [on a surface](super::bem::image), what the ends of a body change of the half-space below its flat zone is smooth, and a mesh that
 //! knows nothing of the zone does. Displacements are quadratic in each tetrahedron; what cubic functions would add to their energy says
 //! how far they are off (P. Deuflhard, P. Leinen and H. Yserentant, IMPACT Comput. Sci. Eng. 1 (1989), 3).
 
+mod bearing;
+mod factors;
 mod held;
 mod image;
+mod inside;
 mod stiffness;
 mod surplus;
 #[cfg(test)]
@@ -16,17 +19,17 @@ mod triangle;
 use std::sync::Arc;
 
 use faer::Mat;
-use faer::Side;
-use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::solvers::Llt;
 
 use crate::body::mesh::Volume;
 use crate::body::{Finite, Material};
 use crate::numerics::dense::Unsolved;
+use factors::Factors;
 use held::{Held, held};
 use stiffness::Stiffness;
 
+pub use bearing::{Carrier, OnNodes, places};
 pub use image::ImageField;
+pub use inside::Inside;
 
 /// A body in tetrahedra under its supports, its equations factorised.
 #[derive(Debug)]
@@ -40,7 +43,7 @@ pub struct Solid {
     /// The number of each free direction of each node among the unknowns.
     numbers: Vec<[usize; 3]>,
     /// `None` where everything is held.
-    factors: Option<Llt<usize, f64>>,
+    factors: Option<Factors>,
 }
 
 impl Solid {
@@ -56,20 +59,26 @@ impl Solid {
         let [nodes, faces] = held(finite, volume);
         let stiffness = Stiffness::new(volume, material);
         let (matrix, numbers) = stiffness.between_free(&nodes);
-        let factorised = |matrix: faer::sparse::SparseColMat<usize, f64>| {
-            let size = matrix.ncols();
-            matrix.sp_cholesky(Side::Lower).map_err(|_| Unsolved::Singular { size })
-        };
-        let factors = matrix.map(factorised).transpose()?;
+        let factors = matrix.as_ref().map(Factors::new).transpose()?;
         let (volume, material) = (Arc::clone(volume), *material);
         Ok(Self { volume, material, nodes, faces, stiffness, numbers, factors })
     }
 
+    /// Number of unknowns.
+    fn unknowns(&self) -> usize {
+        self.factors.as_ref().map_or(0, Factors::size)
+    }
+
+    /// Puts what is sought (m) in the place of forces (N) along what is free, a column a load.
+    fn solve_sought(&self, forces: &mut Mat<f64>) {
+        if let Some(factors) = &self.factors {
+            factors.solve(forces);
+        }
+    }
+
     /// Displacements (m) under forces (N), where what is held is displaced already: three values a node, one vector a load.
     fn solve(&self, displacements: &mut [Vec<f64>], forces: &[Vec<f64>]) {
-        let Some(factors) = &self.factors else { return };
-        let unknowns = self.numbers.iter().flatten().filter(|number| **number < usize::MAX).count();
-        let mut sought = Mat::zeros(unknowns, forces.len());
+        let mut sought = Mat::zeros(self.unknowns(), forces.len());
         let free = || {
             let nodes = self.nodes.iter().zip(&self.numbers).enumerate();
             nodes.flat_map(|(node, (held, numbers))| {
@@ -79,12 +88,15 @@ impl Solid {
         let at =
             |values: &[f64], node: usize| glam::DVec3::from_slice(&values[3 * node..3 * node + 3]);
         for (load, (displaced, force)) in displacements.iter().zip(forces).enumerate() {
-            let resisted = self.stiffness.times(displaced);
+            let resisted = match displaced.iter().any(|one| *one != 0.0) {
+                true => self.stiffness.times(displaced),
+                false => vec![0.0; displaced.len()],
+            };
             for (node, unit, number) in free() {
                 sought[(number, load)] = (at(force, node) - at(&resisted, node)).dot(unit);
             }
         }
-        factors.solve_in_place(&mut sought);
+        self.solve_sought(&mut sought);
         for (load, displaced) in displacements.iter_mut().enumerate() {
             for (node, unit, number) in free() {
                 let more = sought[(number, load)] * unit;

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::Solid;
 use super::held::Held;
 use super::stiffness::{force, lame};
-use super::together::relative_to_each;
+use super::together::{Together, together};
 use super::triangle::Point;
 use crate::body::mesh::Volume;
 use crate::body::mesh::tetrahedron::{EDGES, cubic_slopes, points, slopes, turn};
@@ -124,6 +124,41 @@ impl Surplus {
         self.add(middle, point.middle, forces);
     }
 
+    /// Adds what forces (N) do on the cubic functions of a triangle of the surface.
+    pub fn bear(&mut self, face: usize, forces: [DVec3; 4]) {
+        for ((function, sign), force) in self.of_face(face).into_iter().zip(forces) {
+            self.add(function, sign, &[force]);
+        }
+    }
+
+    /// The functions of a triangle of the surface, with their signs there.
+    fn of_face(&self, face: usize) -> [(usize, f64); 4] {
+        std::array::from_fn(|own| {
+            let turned = own < 3 && !self.rises[face][own];
+            (self.faces[face][own], if turned { -1.0 } else { 1.0 })
+        })
+    }
+
+    /// What they and all further degrees add to displacements (m) under the one load that acts.
+    pub fn added(mut self, solid: &Solid, displacements: Vec<f64>) -> Added {
+        self.take_stresses(solid, &[displacements]);
+        let held = self.held(solid);
+        let directions: Vec<Vec<DVec3>> = self
+            .resists
+            .iter()
+            .zip(&held)
+            .map(|(resists, held)| directions(*resists, held))
+            .collect();
+        let functions: Vec<[(usize, f64); 10]> =
+            self.functions.iter().zip(&solid.volume.elements).map(signed).collect();
+        let cubic = Cubic { functions: &functions, held: &held, directions: &directions };
+        let residual = std::slice::from_ref(&self.residual);
+        let mut values = together(solid, &cubic, residual).remove(0).values;
+        let share = further(solid.material.poisson);
+        values.iter_mut().for_each(|value| *value *= share);
+        Added { nodes: solid.volume.nodes.len(), values, surplus: self }
+    }
+
     fn add(&mut self, function: usize, share: f64, forces: &[DVec3]) {
         let own = &mut self.residual[function * self.loads..][..self.loads];
         own.iter_mut().zip(forces).for_each(|(own, force)| *own += share * *force);
@@ -136,23 +171,7 @@ impl Surplus {
         displacements: &[Vec<f64>],
         near: &NearField<'_>,
     ) -> Mat<f64> {
-        let elements: Vec<usize> = (0..self.functions.len()).collect();
-        for batch in elements.chunks(BATCH) {
-            let found: Vec<_> = batch
-                .par_iter()
-                .map(|element| of_element(solid, *element, displacements))
-                .collect();
-            for (&element, (resists, stresses)) in batch.iter().zip(&found) {
-                let nodes = &solid.volume.elements[element];
-                let functions = signed((&self.functions[element], nodes));
-                for (own, (function, sign)) in functions.into_iter().enumerate() {
-                    self.resists[function] += resists[own];
-                    let of_loads: Vec<DVec3> =
-                        stresses.iter().map(|stresses| stresses[own]).collect();
-                    self.add(function, -sign, &of_loads);
-                }
-            }
-        }
+        self.take_stresses(solid, displacements);
         let held = self.held(solid);
         let directions: Vec<Vec<DVec3>> = self
             .resists
@@ -174,12 +193,34 @@ impl Surplus {
             .even()
             .map(|load| self.residual.iter().skip(load).step_by(self.loads).copied().collect())
             .collect();
-        let together = relative_to_each(solid, &cubic, &even).into_iter().fold(1.0, f64::max);
+        let share = |one: &Together| if one.each > 0.0 { one.energy / one.each } else { 1.0 };
+        let together = together(solid, &cubic, &even).iter().map(share).fold(1.0, f64::max);
         let there: Vec<&Vec<DVec3>> = rows.iter().filter(|row| !row.is_empty()).collect();
         let rows: Mat<f64> =
             Mat::from_fn(3 * there.len(), self.loads, |row, load| there[row / 3][load][row % 3]);
         let energy = rows.transpose() * &rows;
         energy * faer::Scale(together * further(solid.material.poisson))
+    }
+
+    /// Takes what the stresses of each load do, and how each function resists.
+    fn take_stresses(&mut self, solid: &Solid, displacements: &[Vec<f64>]) {
+        let elements: Vec<usize> = (0..self.functions.len()).collect();
+        for batch in elements.chunks(BATCH) {
+            let found: Vec<_> = batch
+                .par_iter()
+                .map(|element| of_element(solid, *element, displacements))
+                .collect();
+            for (&element, (resists, stresses)) in batch.iter().zip(&found) {
+                let nodes = &solid.volume.elements[element];
+                let functions = signed((&self.functions[element], nodes));
+                for (own, (function, sign)) in functions.into_iter().enumerate() {
+                    self.resists[function] += resists[own];
+                    let of_loads: Vec<DVec3> =
+                        stresses.iter().map(|stresses| stresses[own]).collect();
+                    self.add(function, -sign, &of_loads);
+                }
+            }
+        }
     }
 
     /// What is held of each function.
@@ -234,6 +275,26 @@ impl Surplus {
             DVec3::from_array([0, 1, 2].map(along))
         };
         (0..self.loads).map(added).collect()
+    }
+}
+
+/// What is added to displacements (m) by quadratic and cubic functions.
+pub(super) struct Added {
+    nodes: usize,
+    values: Vec<DVec3>,
+    surplus: Surplus,
+}
+
+impl Added {
+    /// To the function of a node.
+    pub fn node(&self, node: usize) -> DVec3 {
+        self.values[node]
+    }
+
+    /// To the cubic functions of a triangle of the surface.
+    pub fn face(&self, face: usize) -> [DVec3; 4] {
+        let functions = self.surplus.of_face(face);
+        functions.map(|(function, sign)| sign * self.values[self.nodes + function])
     }
 }
 

@@ -4,10 +4,14 @@ use faer::Mat;
 
 use super::Solid;
 use super::held::held;
+use crate::body::Body;
 use crate::body::mesh::{MESHES, Mesh, Meshed, Shape, Supported, Volume};
+use crate::body::profile::Flat;
 use crate::body::{Elasticity, Finite, Interpolation, Material, Support};
+use crate::compliance::bem::contact::{Contact, Meeting, condense};
 use crate::compliance::bem::image::{Imaged, Polynomials};
 use crate::frame::Rectangle;
+use crate::frame::VectorField;
 use crate::parameters::{Value, Values};
 
 /// A block below z = 0 of that size (m), in cubes divided along x, y and z, each in six tetrahedra; the surface is named by its sides.
@@ -117,6 +121,82 @@ fn image_fields_are_those_of_boundary_elements() {
         }
     }
     assert!(most < 1.1 && least > 0.5, "{least} {most}");
+}
+
+/// A block whose top may touch, on rollers all around, and a rigid punch.
+fn rod(divisions: [usize; 3]) -> [Body; 2] {
+    let mut meshed = block(SIZE, divisions);
+    meshed.placed = true;
+    meshed.zone = meshed.mesh.zone("top").unwrap();
+    let held = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name).unwrap();
+    let finite = Finite {
+        supports: ["bottom", "sides"].map(|name| (held(name), Support::Roller)).to_vec(),
+        interpolation: Interpolation::Continuous,
+        elasticity: Elasticity::FiniteElements,
+        ..finite(meshed)
+    };
+    let body = Body::new("block", Flat).material(MATERIAL);
+    [Body { finite: Some(finite), ..body }, Body::new("punch", Flat)]
+}
+
+/// A block that cannot widen is pressed by p L (1 + nu) (1 - 2 nu) / ((1 - nu) E), and its stress is the same all over it.
+#[test]
+fn a_block_that_bears_its_contact_is_pressed_as_a_rod() {
+    let bodies = rod([4, 3, 2]);
+    let Contact { frame, compliance } = Contact::new(bodies.each_ref(), &condense).unwrap();
+    let area: f64 = (0..frame.len()).map(|pair| frame.area(pair)).sum();
+    assert!((area - SIZE[0] * SIZE[1]).abs() < 1e-12, "{area}");
+    let Material { young, poisson } = MATERIAL;
+    let modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+    let mut displaced = vec![0.0; frame.len()];
+    compliance.apply_normal(&vec![1.0; frame.len()], &mut displaced);
+    for own in displaced {
+        assert!((own * modulus / SIZE[2] - 1.0).abs() < 1e-9, "{own}");
+    }
+    // Tractions on body 1, whose normal the pressure acts against.
+    let even = VectorField { n: vec![-1.0; frame.len()], ..VectorField::zeros(frame.len()) };
+    assert!(compliance.missed(&even).unwrap() < 1e-6);
+    let meeting = Meeting::of(bodies.each_ref()).unwrap();
+    let (_, inside) = meeting.inside(0, &even).unwrap().unwrap();
+    let across = -poisson / (1.0 - poisson);
+    for place in [[0.0, 0.0, -0.3], [0.31, -0.2, -0.01], [-0.5, 0.4, 0.0]] {
+        let stress = inside.at(place.into()).unwrap().stress;
+        assert!((stress.z_axis.z + 1.0).abs() < 1e-9 && (stress.x_axis.x - across).abs() < 1e-9);
+        assert!(stress.x_axis.y.abs() < 1e-9 && stress.y_axis.z.abs() < 1e-9);
+    }
+    assert!(inside.at([0.0, 0.0, 0.2].into()).is_none());
+}
+
+/// Tractions of two fields do the same work on each other's displacements; and the matrix of all pairs says what applications do.
+#[test]
+fn applications_keep_the_work_and_are_those_of_the_matrix() {
+    let bodies = rod([4, 3, 2]);
+    let Contact { frame, compliance } = Contact::new(bodies.each_ref(), &condense).unwrap();
+    let field = |seed: usize| {
+        let along = |own: usize| {
+            (0..frame.len()).map(|pair| ((7 * pair + 3 * own + seed) % 11) as f64 - 5.0).collect()
+        };
+        VectorField { t1: along(0), t2: along(1), n: along(2) }
+    };
+    let work = |one: &VectorField, other: &VectorField| -> f64 {
+        let pairs = 0..frame.len();
+        let along = one.components().into_iter().zip(other.components());
+        along
+            .map(|(one, other)| {
+                pairs.clone().map(|pair| frame.area(pair) * one[pair] * other[pair]).sum::<f64>()
+            })
+            .sum()
+    };
+    let [one, other] = [field(1), field(4)];
+    let [of_one, of_other] = [&one, &other].map(|own| compliance.apply(own));
+    let [given, taken] = [work(&one, &of_other), work(&other, &of_one)];
+    assert!((given - taken).abs() < 1e-9 * work(&one, &of_one).abs(), "{given} {taken}");
+    assert!(compliance.matrix(&[0]).is_some());
+    let again = compliance.apply(&one);
+    for (before, after) in of_one.components().into_iter().zip(again.components()) {
+        let largest = before.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
+        assert!(before.iter().zip(after).all(|(a, b)| (a - b).abs() < 1e-9 * largest));
+    }
 }
 
 /// A group of the four sides of a block holds its edges across both sides that meet there, and its bottom the corners along z too.

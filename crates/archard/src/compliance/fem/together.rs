@@ -24,13 +24,22 @@ fn dot(one: &Values, other: &Values) -> f64 {
     one.iter().zip(other).map(|(one, other)| one.dot(*other)).sum()
 }
 
-/// The energies (N m or its square per unit load) that cubic functions add under what is left over on them, load by load, together
-/// relative to each by itself; of a load with nothing left over, one.
-pub(super) fn relative_to_each(
+/// What cubic functions add under a load.
+pub(super) struct Together {
+    /// The energy (N m or its square per unit load) that all add together.
+    pub energy: f64,
+    /// The sum of those that each adds by itself.
+    pub each: f64,
+    /// What is added to the functions (m): quadratic ones node by node, behind them the cubic ones.
+    pub values: Vec<DVec3>,
+}
+
+/// What cubic functions add under what is left over on them, load by load.
+pub(super) fn together(
     solid: &Solid,
     cubic: &Cubic<'_>,
     residuals: &[Vec<DVec3>],
-) -> Vec<f64> {
+) -> Vec<Together> {
     let nodes = solid.volume.nodes.len();
     let mut residual: Vec<Values> = residuals
         .iter()
@@ -43,6 +52,7 @@ pub(super) fn relative_to_each(
     let each: Vec<f64> =
         residual.iter().zip(&direction).map(|(residual, one)| dot(residual, one)).collect();
     let (mut energy, mut left) = (vec![0.0; each.len()], each.clone());
+    let mut values: Vec<Values> = vec![vec![DVec3::ZERO; nodes + cubic.held.len()]; each.len()];
     loop {
         let pulled = times(solid, cubic, &direction);
         let mut grows = false;
@@ -53,14 +63,15 @@ pub(super) fn relative_to_each(
             }
             let step = left[load] / resists;
             energy[load] += step * left[load];
+            let pairs = values[load].iter_mut().zip(&direction[load]);
+            pairs.for_each(|(value, direction)| *value += step * *direction);
             grows |= step * left[load] > SETTLED * energy[load];
             let pairs = residual[load].iter_mut().zip(&pulled[load]);
             pairs.for_each(|(residual, pulled)| *residual -= step * *pulled);
         }
         if !grows {
-            let share =
-                |(energy, each): (&f64, &f64)| if *each > 0.0 { energy / each } else { 1.0 };
-            return energy.iter().zip(&each).map(share).collect();
+            let all = energy.into_iter().zip(each).zip(values);
+            return all.map(|((energy, each), values)| Together { energy, each, values }).collect();
         }
         let next = behind(solid, cubic, &residual);
         for load in 0..each.len() {

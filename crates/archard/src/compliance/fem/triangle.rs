@@ -9,7 +9,7 @@ pub(super) struct Point {
     pub edges: [f64; 3],
     pub middle: f64,
     slopes: [[f64; 2]; 6],
-    weight: f64,
+    pub weight: f64,
 }
 
 /// Points of a rule that is exact for polynomials of degree four (D. A. Dunavant, Int. J. Numer. Methods Eng. 21 (1985), 1129).
@@ -43,6 +43,17 @@ impl Point {
             edges[corner] = at[one] * at[other] * (at[one] - at[other]);
         }
         Self { nodes, edges, middle: at.iter().product(), slopes, weight }
+    }
+
+    /// The functions at a place by its three coordinates.
+    pub fn at(at: [f64; 3]) -> Self {
+        Self::new(at, 0.0)
+    }
+
+    /// Its last two coordinates: the functions of nodes add up to them.
+    pub fn place(&self) -> [f64; 2] {
+        let own = &self.nodes;
+        [own[1] + 0.5 * (own[3] + own[4]), own[2] + 0.5 * (own[4] + own[5])]
     }
 
     /// Its place (m) on a triangle with nodes at these places (m), and the outward normal there, as long as the area (m^2) that it

@@ -58,7 +58,7 @@ enum Engine {
     /// Boundary elements on its surface: the mesh of elements half as long.
     Surface(Mesh),
     /// Finite elements inside it, which are factorised once.
-    Volume(Arc<Volume>, OnceLock<Solid>),
+    Volume(Arc<Volume>, Box<OnceLock<Solid>>),
 }
 
 impl Known {
@@ -69,7 +69,7 @@ impl Known {
             let material = body.material?;
             let imaged = finite.elasticity == Elasticity::Image;
             let engine = match &finite.meshed.volume {
-                Some(volume) => Engine::Volume(Arc::clone(volume), OnceLock::new()),
+                Some(volume) => Engine::Volume(Arc::clone(volume), Box::default()),
                 None => Engine::Surface(finite.meshed.mesh.divided()),
             };
             let offsets = offsets[which];

@@ -111,7 +111,7 @@ fn image_fields_are_those_of_meshes_along_all_axes() {
                 };
                 let scale = work(&frame, &imaged).abs().max(1e-16);
                 let known =
-                    work(&whole.frame, &whole.compliance) - work(&laid.frame, &laid.compliance);
+                    work(&whole.frame, &*whole.compliance) - work(&laid.frame, &*laid.compliance);
                 let found = work(&frame, &imaged) - work(&frame, &plain);
                 let least = 5e-3 * work(&frame, &plain).abs().max(1e-15);
                 assert!(

@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::near::Near;
 use super::solid;
-use crate::body::mesh::{Corners, Mesh, Meshed, Supported, Volume, Zone};
+use crate::body::mesh::{Corners, Mesh, MeshError, Meshed, Supported, Volume, Zone};
 use crate::numerics::WRITTEN;
 
 /// The inside of a body with its surface, triangle by triangle, in the places of the file.
 #[derive(Debug)]
 pub(super) struct Inside {
     volume: Volume,
-    mesh: Mesh,
+    pub mesh: Mesh,
 }
 
 impl Inside {
@@ -92,6 +93,28 @@ impl Inside {
             }
         }
         Some(Meshed { mesh, zone: Zone::default(), placed: false, volume: Some(Arc::new(volume)) })
+    }
+
+    /// The body where it is, with a zone that may touch.
+    pub fn placed(&self, zone: Zone) -> Meshed {
+        let volume = Some(Arc::new(self.volume.clone()));
+        Meshed { mesh: self.mesh.clone(), zone, placed: true, volume }
+    }
+
+    /// The triangles of the surface of that name.
+    ///
+    /// # Errors
+    /// If there is no such surface.
+    pub fn zone(&self, surface: &str) -> Result<Zone, MeshError> {
+        self.mesh.zone(surface)
+    }
+
+    /// The triangles near a place.
+    ///
+    /// # Errors
+    /// If there are none.
+    pub fn near(&self, near: &Near, feature_angle: f64) -> Result<Zone, MeshError> {
+        near.zone(self.mesh.clone(), feature_angle, [false; 2]).map(|(_, zone)| zone)
     }
 
     /// Whether a triangle, seen along z, holds a place (m).

@@ -160,6 +160,18 @@ impl Shape for File {
         self.inside.as_ref()?.below(rectangle.map(|[centre, _]| centre), held, named)
     }
 
+    fn filled(&self) -> Option<Result<Meshed, MeshError>> {
+        let inside = self.inside.as_ref()?;
+        let zone = match &self.contact {
+            Contact::None => Ok(Zone::default()),
+            Contact::Surface(surface) => inside.zone(&self.mesh.surfaces[*surface]),
+            Contact::Near(near) => {
+                inside.near(near.alike(&self.mesh, &inside.mesh)?, self.feature_angle)
+            }
+        };
+        Some(zone.map(|zone| inside.placed(zone)))
+    }
+
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
         thickness::longest(meshed, mirrored, held)
     }

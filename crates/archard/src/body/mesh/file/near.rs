@@ -61,6 +61,11 @@ impl Near {
         })
     }
 
+    /// The same on another mesh of the surface, where it divides no element and both have the same surfaces.
+    pub fn alike(&self, mesh: &Mesh, other: &Mesh) -> Option<&Self> {
+        (self.elements.is_none() && mesh.surfaces == other.surfaces).then_some(self)
+    }
+
     /// The zone, with elements divided there.
     ///
     /// # Errors

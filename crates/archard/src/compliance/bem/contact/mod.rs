@@ -11,7 +11,10 @@ mod meeting;
 mod normals;
 mod outline;
 mod project;
+mod rim;
 mod transfer;
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -20,7 +23,7 @@ use super::solid::Condensed;
 use super::surface::Surface;
 use super::{Assembled, Condition, Given, Stage, Told, TractionNode, advice};
 use crate::body::{Body, Finite, Material, Support};
-use crate::compliance::Dense;
+use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
 use crate::numerics::dense::Unsolved;
 use crate::numerics::large::NoMemory;
@@ -72,6 +75,14 @@ pub enum ContactError {
         /// Where, in its own coordinates (m).
         place: [f64; 3],
     },
+    /// Zones whose outward normals agree, instead of being opposite.
+    #[error(
+        "the contact zones of both bodies look the same way: files share their axes, in which the zones face each other"
+    )]
+    SameWay {
+        /// The body that may be turned over, 0 or 1.
+        body: usize,
+    },
     /// A zone that a half-space cannot stand for.
     #[error(
         "body {}: the contact zone turns by {angle:.0} degrees from the plane of contact: no half-space stands for it",
@@ -89,6 +100,15 @@ pub enum ContactError {
         .body + 1
     )]
     HasImage {
+        /// The body's index, 0 or 1.
+        body: usize,
+    },
+    /// A body whose inside nobody knows.
+    #[error(
+        "body {} has no tetrahedra inside, which finite elements take; take `Elasticity::BoundaryElements`",
+        .body + 1
+    )]
+    Hollow {
         /// The body's index, 0 or 1.
         body: usize,
     },
@@ -121,7 +141,7 @@ pub struct Contact {
     /// The pairs.
     pub frame: ContactFrame,
     /// Both bodies.
-    pub compliance: Dense,
+    pub compliance: Arc<dyn Compliance>,
 }
 
 /// What condenses a meshed body to its contact nodes, or remembers having done so.

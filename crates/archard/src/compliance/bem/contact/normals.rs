@@ -9,35 +9,59 @@
 //! rise = 1/2 sum over c of w_c (p_c - place) . n_c
 //! ```
 //!
-//! which on arcs and spheres is their height above the chord. With the elements themselves an approach would open
+//! which on arcs and spheres is their height above the chord; where a file has nodes on its edges, as much as the surface through these
+//! does. With the elements themselves an approach would open
 //! and close the gaps of a conforming contact in steps, and gaps would depend on which corners face each other.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::super::element::evaluate;
 use super::super::patch::Patch;
 use super::super::surface::Surface;
 use super::STEEP;
-use crate::body::Finite;
+use super::rim::turned;
+use crate::body::{Elasticity, Finite};
+use crate::numerics::WRITTEN;
 
 /// The outward normals of a zone at the corners of its elements.
 pub(super) struct Normals {
     corners: Vec<Vec<DVec3>>,
+    /// How far the nodes on the edges of each triangle lie off their middles (m), where they do anywhere.
+    edges: Option<Vec<[DVec3; 3]>>,
 }
 
 impl Normals {
     pub fn new(finite: &Finite, surface: &Surface) -> Self {
         let around = around(finite, surface);
-        let of = |&face: &usize| {
+        let near = |face: usize, vertex: usize| {
             let patch = &surface.patches[face];
             let own = patch.normal(patch.middle_reference());
-            let near = |weighed: &&DVec3| weighed.dot(own) > STEEP * weighed.length();
-            let smooth = |&vertex: &usize| {
-                around[vertex].iter().filter(near).sum::<DVec3>().normalize_or(own)
-            };
-            surface.corners[face].as_slice().iter().map(smooth).collect()
+            let near = around[vertex].iter().filter(move |one| one.dot(own) > STEEP * one.length());
+            (near.clone().count() == around[vertex].len(), near.sum::<DVec3>().normalize_or(own))
         };
-        Self { corners: finite.meshed.zone.faces.iter().map(of).collect() }
+        let zone = &finite.meshed.zone.faces;
+        let of = |&face: &usize| -> (Vec<bool>, Vec<DVec3>) {
+            let vertices = surface.corners[face].as_slice().iter();
+            vertices.map(|&vertex| near(face, vertex)).unzip()
+        };
+        let (all_around, mut corners): (Vec<_>, Vec<_>) = zone.iter().map(of).unzip();
+        let edges = edges(finite);
+        // Elements that bear the contact meet it up to the rim.
+        if finite.elasticity == Elasticity::FiniteElements && edges.is_none() {
+            let vertices = |face: &usize| surface.corners[*face].as_slice().to_vec();
+            let elements: Vec<Vec<usize>> = zone.iter().map(vertices).collect();
+            turned(&elements, &finite.meshed.mesh.vertices, &mut corners, &all_around);
+        }
+        Self { corners, edges }
+    }
+
+    /// The outward normal at a place on an element, by its index in the zone.
+    pub fn at(&self, index: usize, patch: &Patch, at: [f64; 2]) -> DVec3 {
+        if let Some(edges) = &self.edges {
+            return above(patch, edges[index], at)[1];
+        }
+        let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
+        shares.zip(&self.corners[index]).map(|(share, n)| share * *n).sum::<DVec3>().normalize()
     }
 
     /// Normals at the nodes of tractions; zero away from the zone.
@@ -56,12 +80,58 @@ impl Normals {
 
     /// How far the surface rises (m) above a place on an element, by its index in the zone.
     pub fn rise(&self, index: usize, patch: &Patch, at: [f64; 2]) -> f64 {
+        if let Some(edges) = &self.edges {
+            let [place, normal] = above(patch, edges[index], at);
+            return (place - patch.at(at)).dot(normal);
+        }
         let place = patch.at(at);
         let shares = patch.element.map.iter().map(|polynomial| evaluate(polynomial, at));
         let corners = patch.corners.iter().zip(&self.corners[index]);
         let above = corners.map(|(corner, normal)| (*corner - place).dot(*normal));
         0.5 * shares.zip(above).map(|(share, above)| share * above).sum::<f64>()
     }
+}
+
+/// The place (m) straight above one of a triangle, and the outward normal there, on the surface through nodes that lie off the middles of
+/// its edges. A surface that is known by other coordinates than the triangle's is followed along its tangents.
+fn above(patch: &Patch, [a, b, c]: [DVec3; 3], at: [f64; 2]) -> [DVec3; 2] {
+    /// Each time what is left falls with its square.
+    const STEPS: usize = 3;
+    let below = patch.at(at);
+    let mut own = at;
+    let mut found = [below, DVec3::Z];
+    for _ in 0..STEPS {
+        let [s, t] = own;
+        let rest = 1.0 - s - t;
+        let [along_s, along_t] = patch.tangents(own);
+        let along_s = along_s + 4.0 * ((rest - s) * a + t * b - t * c);
+        let along_t = along_t + 4.0 * ((rest - t) * c + s * b - s * a);
+        let place = patch.at(own) + 4.0 * (rest * s * a + s * t * b + t * rest * c);
+        let normal = along_s.cross(along_t).normalize();
+        found = [place, normal];
+        let off = below - place;
+        let axes = DMat3::from_cols(along_s, along_t, normal);
+        let step = axes.inverse() * off;
+        if !step.is_finite() {
+            break;
+        }
+        own = [s + step.x, t + step.y];
+    }
+    found
+}
+
+/// How far nodes on the edges of the zone lie off the middles (m); `None` where there are none, or none lies off.
+fn edges(finite: &Finite) -> Option<Vec<[DVec3; 3]>> {
+    let volume = finite.meshed.volume.as_ref()?;
+    let at = |node: usize| DVec3::from(volume.nodes[node]);
+    let off = |nodes: &[usize; 6]| {
+        [0, 1, 2]
+            .map(|edge| at(nodes[3 + edge]) - 0.5 * (at(nodes[edge]) + at(nodes[(edge + 1) % 3])))
+    };
+    let edges: Vec<_> =
+        finite.meshed.zone.faces.iter().map(|face| off(&volume.faces[*face])).collect();
+    let least = WRITTEN * finite.meshed.mesh.extent();
+    edges.iter().flatten().any(|off| off.length() > least).then_some(edges)
 }
 
 /// Normals of the elements around each vertex with their weights, mirror images among them.

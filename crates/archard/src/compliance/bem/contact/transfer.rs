@@ -19,7 +19,9 @@ use super::super::patch::Patch;
 use super::ContactError;
 use super::STEEP;
 use super::host::Host;
-use super::project::{Hit, project};
+use super::project::{Hit, project, project_beside};
+use crate::body::Elasticity;
+use crate::compliance::fem::OnNodes;
 
 /// Points of the rule along each side of a host's element: edges of the other mesh run through it.
 const POINTS: usize = 8;
@@ -30,6 +32,8 @@ pub(super) struct Transfer {
     pub gap: Vec<f64>,
     /// K, a row a pair.
     rows: Vec<Vec<(usize, f64)>>,
+    /// The pairs on the nodes inside the other body, if that is one of finite elements.
+    inside: Option<Vec<OnNodes>>,
     areas: Vec<f64>,
     /// Bases of the pairs in the axes of the frame.
     bases: Vec<[DVec3; 3]>,
@@ -59,20 +63,57 @@ impl Transfer {
             ContactError::NotOpposite { body: host.which, place: place.sum::<DVec3>().to_array() }
         };
         let mut rows: Vec<Vec<(usize, f64)>> = vec![vec![]; host.contact.len()];
+        let carries = other.finite.elasticity == Elasticity::FiniteElements;
+        let volume = other.finite.meshed.volume.as_ref().filter(|_| carries);
+        let on_other = |basis: &[DVec3; 3]| {
+            let turned = |unit: DVec3| {
+                let along = other.axes.iter().zip(unit.to_array());
+                along.map(|(axis, value)| value * *axis).sum()
+            };
+            OnNodes::along(basis.map(turned))
+        };
+        let mut inside: Option<Vec<OnNodes>> =
+            volume.map(|_| own_bases.iter().map(on_other).collect());
         let line = crate::numerics::quadrature::gauss_legendre(POINTS);
-        for (patch, pairs) in own.iter().zip(&own_pairs) {
+        // Elements that bear the contact meet it in the mean, as they are displaced.
+        let mean = host.finite.elasticity == Elasticity::FiniteElements;
+        let mut means = vec![0.0; host.contact.len()];
+        let sign = if host.first { 1.0 } else { -1.0 };
+        for (index, (patch, pairs)) in own.iter().zip(&own_pairs).enumerate() {
             for (at, weight) in points(patch, &line) {
                 let vector = patch.area_vector(at);
-                let direction = if steep { vector.normalize() } else { DVec3::Z };
+                let direction = match (mean, steep) {
+                    (true, _) => host.outward(index, at),
+                    (false, true) => vector.normalize(),
+                    (false, false) => DVec3::Z,
+                };
                 let place = patch.at(at);
-                let Some(Hit { patch: hit, at: there, .. }) = project(place, direction, &patches)
-                else {
+                let found = match mean {
+                    true => project_beside(place, direction, &patches),
+                    false => project(place, direction, &patches),
+                };
+                let Some(Hit { patch: hit, at: there, distance }) = found else {
                     return Err(off(place));
+                };
+                let normal = match volume.is_some() || mean {
+                    true => sign * host.outward(index, at),
+                    false => DVec3::Z,
+                };
+                let distance = match mean {
+                    true => distance - other.rise(hit, there) - host.rise(index, at),
+                    false => 0.0,
                 };
                 let area = weight * vector.length();
                 for (pair, polynomial) in pairs.iter().zip(patch.element.shape) {
                     let Some(pair) = pair else { continue };
                     let share = area * evaluate(polynomial, at);
+                    means[*pair] += share * distance;
+                    if let (Some(volume), Some(inside)) = (volume, &mut inside) {
+                        let face = other.finite.meshed.zone.faces[hit];
+                        let along = other.axes.iter().zip(normal.to_array());
+                        let normal = along.map(|(axis, value)| value * *axis).sum();
+                        inside[*pair].add((volume, face), there, (share, normal));
+                    }
                     let other = other_pairs[hit].iter().zip(patches[hit].element.shape);
                     for (node, polynomial) in other {
                         if let Some(node) = node {
@@ -82,21 +123,28 @@ impl Transfer {
                 }
             }
         }
+        let areas: Vec<f64> =
+            rows.iter().map(|row| row.iter().map(|(_, share)| share).sum()).collect();
         let mut gap = vec![];
+        let heights = host.heights();
         for (pair, &[_, _, n]) in own_bases.iter().enumerate() {
+            if mean {
+                gap.push(means[pair] / host.area(pair) - heights[pair]);
+                continue;
+            }
             let place = host.place(pair);
             let direction = if steep { n } else { DVec3::Z };
             let hit = project(place, direction, &patches).ok_or_else(|| off(place))?;
-            let sign = if host.first { 1.0 } else { -1.0 };
             let rise = other.rise(hit.patch, hit.at);
             let distance = sign * hit.distance * direction.dot(n) - rise;
             // The pairs have counted the distance to z = 0 already.
-            gap.push(distance + sign * place.z * host.closing(pair));
+            gap.push(distance - heights[pair]);
         }
         Ok(Self {
             gap,
-            areas: rows.iter().map(|row| row.iter().map(|(_, share)| share).sum()).collect(),
+            areas,
             rows: rows.into_iter().map(gathered).collect(),
+            inside: inside.map(|pairs| pairs.into_iter().map(OnNodes::gathered).collect()),
             bases: own_bases,
             other_areas: other
                 .contact
@@ -105,6 +153,11 @@ impl Transfer {
                 .collect(),
             other_bases: bases(other),
         })
+    }
+
+    /// The pairs on the nodes inside the other body, if it is one of finite elements.
+    pub fn bearing(&self) -> Option<Vec<OnNodes>> {
+        self.inside.clone()
     }
 
     /// Turns a vector at a node of the other body into the basis of a pair.
