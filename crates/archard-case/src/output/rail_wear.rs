@@ -103,7 +103,7 @@ impl RailPlan {
     }
 }
 
-/// A profile that wears: which body it is of, which of the sides, and the name of its file.
+/// A profile that wears: its body, its side, and the name of its file.
 type Wears = (usize, usize, String);
 
 /// The profiles that wear.
