@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
 use archard::body::profile::{Flat, Sphere};
-use archard::motion::{Control, Cycles, Row, Table};
+use archard::motion::{Control, Cycles, Row, Table, Within};
 use archard::simulation::Run;
 use archard::wear::{Archard, CrossShear};
 use archard::{Body, Material, Simulation};
@@ -191,4 +191,41 @@ fn balls_that_circle_wear_by_crossing_directions() {
     let run = gone_through([ball().wear(law), plate()], rows(&line), (CYCLES, CYCLES));
     let way = 0.8e-3 * CYCLES as f64;
     assert_relative_eq!(volume(&run, 0), 1e-16 * LOAD * way, max_relative = 1e-6);
+}
+
+/// Where the way turns at a corner, a station slides along one side and then along the other: a square of its corners alone crosses as one of
+/// many stations does.
+#[test]
+fn corners_cross_as_their_sides_do() {
+    let square = |parts: usize| {
+        let corners = [[-0.3e-3, -0.3e-3], [0.3e-3, -0.3e-3], [0.3e-3, 0.3e-3], [-0.3e-3, 0.3e-3]];
+        let place = |at: usize| {
+            let (from, to) = (corners[at / parts], corners[(at / parts + 1) % 4]);
+            let share = (at % parts) as f64 / parts as f64;
+            [[0.0; 2], [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]))]
+        };
+        let law = || CrossShear::new([1e-16, 1e-14]).unwrap();
+        let places: Vec<_> = (0..4 * parts).map(place).collect();
+        let run = gone_through([ball(), plate().wear(law())], rows(&places), (10, 10));
+        volume(&run, 1)
+    };
+    let [few, many] = [square(1), square(24)];
+    assert!((few / many - 1.0).abs() < 0.03, "{few} {many}");
+    // Without crossing it would be the hundredth.
+    assert!(many > 10.0 * 1e-16 * LOAD * 4.0 * 0.6e-3 * 10.0);
+}
+
+/// Stations are left out by load and distance: laws that ask for directions need all of them.
+#[test]
+fn laws_of_directions_need_all_stations() {
+    let places: Vec<_> = egg(400).into_iter().map(|place| [[0.0; 2], place]).collect();
+    let within = Within { share: 0.05, way: 0.2e-3 };
+    let built = |wear: CrossShear| {
+        let table = Table::merging(&rows(&places), within).unwrap();
+        let planned = table.over(Cycles::new(10).jump(10)).unwrap();
+        let builder = Simulation::builder([ball(), plate().wear(wear)], planned);
+        builder.frame([2.0 * HALF; 2], [ELEMENTS; 2]).build()
+    };
+    let refused = built(CrossShear::new([1e-16, 1e-14]).unwrap()).unwrap_err().to_string();
+    assert!(refused.contains("directions"), "{refused}");
 }

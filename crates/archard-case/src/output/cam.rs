@@ -112,6 +112,8 @@ fn judged(results: &CamResults) -> Verdict {
         let share = stations.iter().map(share).fold(0.0, f64::max);
         lines.extend(borne(&names[body], (hardness[body], moduli[body]), peak, share));
     }
+    let widest = stations.iter().map(|station| station.half_width).fold(0.0, f64::max);
+    lines.push(verdict::length(cam.width / (2.0 * widest)));
     for (body, name) in names.iter().enumerate() {
         let (_, [depth, error]) = worn.deepest(body);
         if depth > 0.0 {

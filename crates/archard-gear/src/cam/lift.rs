@@ -4,9 +4,13 @@ use std::f64::consts::TAU;
 
 use archard::parameters::Invalid;
 
-/// How far the angles of a table may be from a turn (rad), and its ends from each other, over the largest lift: what sums of decimals
-/// are rounded to.
-const ROUNDED: f64 = 1e-9;
+/// How far the angles of a table may be from a turn (rad), and its ends from each other, over the largest lift: six digits, as tables
+/// are rounded to. Its last row counts as the first, a turn later.
+const ROUNDED: f64 = 1e-6;
+/// The fewest rows: every other one of them, four, makes a lift that says how far off this one is.
+const FEWEST: usize = 7;
+/// The fewest rows of a spline that closes.
+const ROWS: usize = 4;
 
 /// A lift (m) over an angle (rad): the cubic spline through the rows of a table, a turn after which it repeats itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,14 +25,19 @@ impl Lift {
     /// The lift of the rows of a table: angle (rad) and lift (m).
     ///
     /// # Errors
-    /// If there are fewer than four, angles do not rise over one turn, or the lift does not close.
+    /// If there are fewer than seven, angles do not rise over one turn, or the lift does not close.
     pub fn new(rows: Vec<[f64; 2]>) -> Result<Self, Invalid> {
+        Self::of(rows, FEWEST)
+    }
+
+    /// The same of so many rows or more.
+    fn of(mut rows: Vec<[f64; 2]>, fewest: usize) -> Result<Self, Invalid> {
         let wrong = |message: String| Err(Invalid::new("file", message));
         let ([.., last], [first, ..]) = (&rows[..], &rows[..]) else {
             return wrong("the table has no rows".to_owned());
         };
-        if rows.len() < 4 {
-            return wrong(format!("four rows at least are needed, here are {}", rows.len()));
+        if rows.len() < fewest {
+            return wrong(format!("{fewest} rows at least are needed, here are {}", rows.len()));
         }
         for (row, pair) in rows.windows(2).enumerate() {
             if pair[1][0] <= pair[0][0] {
@@ -38,21 +47,30 @@ impl Lift {
         let turn = last[0] - first[0];
         if (turn - TAU).abs() > ROUNDED {
             return wrong(format!(
-                "the angles go from {:.6} to {:.6} deg: a whole turn is needed, whose last row is the first, 360 deg later",
+                "the angles go from {:.6} to {:.6} deg, {:.3e} deg off a whole turn: the last row has to be the first, 360 deg later",
                 first[0].to_degrees(),
-                last[0].to_degrees()
+                last[0].to_degrees(),
+                (turn - TAU).to_degrees()
             ));
         }
         let largest = rows.iter().map(|row| row[1].abs()).fold(0.0, f64::max);
         if (last[1] - first[1]).abs() > ROUNDED * largest {
             return wrong(format!(
-                "the lift does not close: it begins with {:.6} mm and is {:.6} mm a turn later",
+                "the lift does not close: it begins with {:.6} mm and is {:.6} mm a turn later, {:.3e} mm off",
                 1e3 * first[1],
-                1e3 * last[1]
+                1e3 * last[1],
+                1e3 * (last[1] - first[1])
             ));
         }
+        let (count, closed) = (rows.len(), [first[0] + TAU, first[1]]);
+        rows[count - 1] = closed;
         let bends = bends(&rows);
         Ok(Self { rows, bends })
+    }
+
+    /// How many rows there are.
+    pub(super) fn rows(&self) -> usize {
+        self.rows.len()
     }
 
     /// Lift (m), and its first and second derivative by the angle (rad).
@@ -79,7 +97,7 @@ impl Lift {
         let last = self.rows.len() - 1;
         let keep = |&row: &usize| row.is_multiple_of(2) && row + 1 < last || row == last;
         let rows: Vec<[f64; 2]> = (0..=last).filter(keep).map(|row| self.rows[row]).collect();
-        Self::new(rows).ok()
+        Self::of(rows, ROWS).ok()
     }
 }
 
@@ -162,9 +180,12 @@ mod tests {
         let refused = |rows: Vec<[f64; 2]>| Lift::new(rows).unwrap_err().message.to_string();
         let mut open: Vec<_> = even(12).collect();
         open[12][1] = 1.1e-3;
-        assert!(refused(open).contains("begins with 1.000000 mm and is 1.100000 mm a turn later"));
+        assert!(
+            refused(open)
+                .contains("begins with 1.000000 mm and is 1.100000 mm a turn later, 1.000e-1 mm")
+        );
         assert!(refused(even(12).take(12).collect()).contains("from 0.000000 to 330.000000 deg"));
-        assert!(refused(even(2).collect()).contains("four rows"));
+        assert!(refused(even(2).collect()).contains("7 rows at least"));
         let mut back: Vec<_> = even(12).collect();
         back[5][0] = 0.1;
         assert!(refused(back).contains("row 6: angles must rise"));

@@ -122,7 +122,7 @@ impl Cam {
         let modulus = contact_modulus(materials);
         let cam = Self { profile, follower, loading, width, modulus, friction, laws };
         // Between the angles as well, where a table may have more rows.
-        let angles = || angles(8 * ANGLES);
+        let angles = || angles(8 * cam.angles());
         shape::fits(&cam.profile, cam.follower, angles())?;
         for angle in angles() {
             let touch = Touch::new(&cam.profile, cam.follower, angle);
@@ -161,7 +161,20 @@ impl Cam {
 
     /// The same all around.
     pub fn stations(&self) -> Vec<Station> {
-        angles(ANGLES).map(|angle| self.station(angle)).collect()
+        angles(self.angles()).map(|angle| self.station(angle)).collect()
+    }
+
+    /// How many angles of a turn are looked at: a multiple of [`ANGLES`], so many that none of the rows of a table lies between two.
+    fn angles(&self) -> usize {
+        let lift = match &self.profile {
+            Profile::Lift { lift, .. } => lift.rows(),
+            Profile::Eccentric { .. } => 0,
+        };
+        let loads = match &self.loading {
+            Loading::Table(rows) => rows.len(),
+            Loading::Spring { .. } => 0,
+        };
+        ANGLES * (lift.max(loads).saturating_sub(1)).div_ceil(ANGLES).max(1)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::sweep::{Passage, Sweep};
-use super::{ANGLES, Cam, Station, shape};
+use super::{Cam, Station, shape};
 use crate::line::worn;
 use crate::march::{Depths, Limit, Marched, Moment, Wearing, deepest, march};
 
@@ -131,7 +131,7 @@ impl Cam {
 
     /// Wears cam and follower over so many turns, or until a limit is reached.
     pub fn wear(&self, turns: f64, limits: &[Limit]) -> Worn {
-        let sweep = Sweep::new(self, [ANGLES, POINTS]);
+        let sweep = Sweep::new(self, [self.angles(), POINTS]);
         let nodes = [0, 1].map(|body| self.nodes(&sweep, body));
         let surfaces = self.surfaces(&sweep, &nodes);
         let Marched { course, mut errors, life } = march(&surfaces, turns, limits);
@@ -183,8 +183,8 @@ impl Cam {
         errors: &mut Depths,
     ) {
         let cam = Self { profile: self.profile.coarser(), ..self.clone() };
-        let fits = shape::fits(&cam.profile, cam.follower, super::angles(ANGLES)).is_ok();
-        let sweep = Sweep::new(&cam, [ANGLES / 2, POINTS / 2]);
+        let fits = shape::fits(&cam.profile, cam.follower, super::angles(self.angles())).is_ok();
+        let sweep = Sweep::new(&cam, [self.angles() / 2, POINTS / 2]);
         let rough = fits.then(|| {
             let surfaces = cam.surfaces(&sweep, nodes);
             march(&surfaces, last.passages, &[]).course.pop()
@@ -214,14 +214,17 @@ impl Cam {
         let places = [0, 1].map(|body| sweep.places(body));
         let at = |(index, station): (usize, &Station)| {
             let radius = station.touch.curvature.recip();
+            let radii = self.radii(station);
             let mut change = Change { wider: 0.0, softer: 0.0, displaced: 0.0 };
             for body in 0..2 {
                 let [depth, slope, bend] =
                     shapes[body].around(places[body][index], station.half_width);
                 let lift = depth / station.touch.cosine;
                 let force = station.load * self.width * station.touch.cosine;
-                change.softer += self.loading.stiffness() * lift / force;
-                change.wider += radius * bend.abs();
+                let smaller = (depth / radii[body]).abs();
+                // A smaller body slides less, as a smaller force would rub it.
+                change.softer += self.loading.stiffness() * lift / force + smaller;
+                change.wider += radius * (bend.abs() + (smaller / radii[body]).abs());
                 change.displaced += radius * slope.abs();
             }
             change
@@ -234,7 +237,7 @@ impl Cam {
 struct Change {
     /// The relative curvature, relative to it: as much as the speeds of the contact over the bodies.
     wider: f64,
-    /// The load, relative to it.
+    /// The load, or the way that is slid under it, relative to it.
     softer: f64,
     /// Where (m) the bodies touch: where the worn ones slope as much as the new ones away from there.
     displaced: f64,

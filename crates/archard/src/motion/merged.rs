@@ -67,7 +67,7 @@ pub(super) fn merged(rows: &[Row], within: Within) -> Result<(Vec<Row>, Merged),
     }
     if kept.len() < 2 {
         return Err(wrong(
-            "no body slides on the other: the offsets of both change alike, or not at all",
+            "no body slides on the other: the offsets of both change by the same, or not at all",
         ));
     }
     let loss = if whole.work > 0.0 { lost / whole.work } else { 0.0 };

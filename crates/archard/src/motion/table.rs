@@ -127,7 +127,9 @@ impl Table {
         if table.way() > 0.0 {
             return Ok(table);
         }
-        Err(wrong("no body slides on the other: the offsets of both change alike, or not at all"))
+        Err(wrong(
+            "no body slides on the other: the offsets of both change by the same, or not at all",
+        ))
     }
 
     /// Of as few of many stations as a tolerance takes.

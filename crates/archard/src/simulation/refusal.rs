@@ -166,7 +166,23 @@ pub fn of_laws(
     let of_wear = bodies
         .iter()
         .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
-    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).chain(unshaped).collect()
+    let refused = of_wear.chain(of_friction).chain(yielding(bodies, friction, motion));
+    refused.chain(unshaped).chain(directed(bodies, motion)).collect()
+}
+
+/// A law that asks for directions of slip where stations of a table are left out, which are so by load and distance alone.
+fn directed(bodies: &[Body; 2], motion: &Motion) -> Option<Refusal> {
+    motion.table()?.merged()?;
+    let asks = |law: &dyn WearLaw| {
+        [Input::Vectors, Input::CrossShear].iter().any(|input| law.inputs().contains(input))
+    };
+    let body = bodies.iter().find(|body| body.wear.as_deref().is_some_and(asks))?;
+    let what = "asks for the directions of slip: stations of the table are left out by load and distance alone, and directions with them";
+    Some(Refusal::new(
+        Part::Wear(body.name.clone()),
+        what,
+        "leave out `within`: all stations count",
+    ))
 }
 
 /// A body that yields where its surface does not stay opposite the other, or rubs in increments, or is meshed.

@@ -11,10 +11,14 @@ use super::error::Error;
 use super::position::{Position, Positions, Way};
 use crate::motion::{Row, Table};
 use crate::problem::{ContactProblem, ContactState, Grid};
+use crate::wear::Input;
 
 /// Elements from one place to the next, at most, at which wear is laid down on the way between stations: half of those that a place is
 /// shared by along each axis.
 const APART: f64 = 0.5;
+
+/// The sine of a turn of the way below which it is straight: the root of what rounding leaves.
+const STRAIGHT: f64 = 1.5e-8;
 
 /// The stations of a problem.
 pub(super) struct Stations<'a> {
@@ -35,31 +39,44 @@ impl<'a> Stations<'a> {
         [0, 1].map(|axis| (shown[axis] - offset[axis]) / spacing[axis])
     }
 
-    /// The position at a station while a number of cycles go by; `None` where nothing slides.
-    fn position(&self, row: usize, cycles: f64) -> Option<Position> {
+    /// The positions at a station while a number of cycles go by; none where nothing slides. Where a law asks for the direction of slip and
+    /// the way turns, either half of the way has a position of its own.
+    fn positions(&self, row: usize, cycles: f64) -> Vec<Position> {
         let rows = self.table.rows();
         let count = rows.len();
         let [before, next] = [(row + count - 1) % count, (row + 1) % count];
         let slips = [before, row].map(|from| self.table.slip(from));
-        let lengths = slips.map(|[x, y]| x.hypot(y));
-        let length = 0.5 * (lengths[0] + lengths[1]);
-        if length == 0.0 {
-            return None;
-        }
+        let lengths = slips.map(|[x, y]| 0.5 * x.hypot(y));
+        let times = [before, row].map(|from| 0.5 * rows[from].duration);
         let places = [0, 1]
             .map(|body| [before, row, next].map(|row| self.moved(body, rows[row].offsets[body])));
         let offsets = places.map(|[_, here, _]| here.map(|place| place.round() as isize));
-        let shares = lengths.map(|one| 0.5 * one / length);
-        let time = 0.5 * (rows[before].duration + rows[row].duration);
-        let sum = [0, 1].map(|axis| slips[0][axis] + slips[1][axis]);
-        // Where the way turns round.
-        let heading = if sum == [0.0; 2] { slips[0] } else { sum };
-        Some(Position {
-            ways: [0, 1].map(|body| spread(places, body, shares, offsets[body])),
-            control: Some(rows[row].control),
-            heading: Some((heading, length / time)),
-            ..Position::at(offsets, cycles * length)
-        })
+        let [one, other] = slips;
+        let turn = one[0] * other[1] - one[1] * other[0];
+        let turns = turn.abs() > STRAIGHT * 4.0 * lengths[0] * lengths[1];
+        let asks = [Input::Vectors, Input::CrossShear].map(|input| self.problem.asks(input));
+        let halves: &[[f64; 2]] = match turns && asks != [false; 2] {
+            true => &[[1.0, 0.0], [0.0, 1.0]],
+            false => &[[1.0; 2]],
+        };
+        let of = |halves: &[f64; 2]| {
+            let sum = |of: [f64; 2]| halves[0] * of[0] + halves[1] * of[1];
+            let (length, time) = (sum(lengths), sum(times));
+            if length == 0.0 {
+                return None;
+            }
+            let shares = [0, 1].map(|half| halves[half] * lengths[half] / length);
+            let way = [0, 1].map(|axis| sum([slips[0][axis], slips[1][axis]]));
+            // Where the way turns round.
+            let heading = if way == [0.0; 2] { slips[0] } else { way };
+            Some(Position {
+                ways: [0, 1].map(|body| spread(places, body, shares, offsets[body])),
+                control: Some(rows[row].control),
+                heading: Some((heading, length / time)),
+                ..Position::at(offsets, cycles * length)
+            })
+        };
+        halves.iter().filter_map(of).collect()
     }
 }
 
@@ -128,7 +145,7 @@ impl Positions for Stations<'_> {
 
     fn way(&self, _: &ContactState, forward: bool, advance: f64) -> Result<Way, Error> {
         let mut positions: Vec<Position> =
-            (0..self.table.rows().len()).filter_map(|row| self.position(row, advance)).collect();
+            (0..self.table.rows().len()).flat_map(|row| self.positions(row, advance)).collect();
         if !forward {
             positions.reverse();
         }

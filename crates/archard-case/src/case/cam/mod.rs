@@ -66,12 +66,15 @@ impl CamCase {
             (None, Some(loading)) => loading,
             (Some(loads), None) => Loading::Table(loads),
             (None, None) => {
-                let message = "what presses the follower on the cam: `preload`, with the `spring` that adds to it, or a column `load_N` beside the lift";
+                let message = "what presses the follower on the cam: `preload`, with the `spring` that adds to it, or a column `load_N` in the table of the lift";
                 return Err(Problem::missing(Key::of(["motion", "cam", "preload"]), message));
             }
             (Some(_), Some(_)) => {
-                let message = "the column `load` of the lift says what presses the follower on the cam: give it or this";
-                return Err(Problem::error(Key::of(["motion", "cam", "preload"]), message));
+                let message = "the column `load_N` in the table of the lift says what presses the follower on the cam: give it or this";
+                let given = |name: &&str| self.motion.values.number(name).is_some();
+                let key = ["preload", "spring", "mass"].into_iter().find(given);
+                let key = key.unwrap_or("preload");
+                return Err(Problem::error(Key::of(["motion", "cam", key]), message));
             }
         };
         let wears = [(&*cam.name, &cam.wear), (&*follower.name, &follower.wear)];
