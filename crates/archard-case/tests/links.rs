@@ -39,7 +39,9 @@ fn anchors(text: &str) -> Vec<String> {
     let headings = prose(text);
     let headings =
         headings.lines().filter_map(|line| Some(line.strip_prefix('#')?.trim_start_matches('#')));
-    headings.map(anchor).collect()
+    // And to what has a name of its own.
+    let named = text.split("<a id=\"").skip(1).filter_map(|rest| rest.split('"').next());
+    headings.map(anchor).chain(named.map(str::to_owned)).collect()
 }
 
 /// What a page links to that is not there.
