@@ -175,9 +175,9 @@ impl Watch {
             Held::Ended => return,
             Held::Nothing => before_results(),
             Held::Claim(claim) => {
-                let dir = claim.dir().to_owned();
+                let (dir, kept) = (claim.dir().to_owned(), claim.is_on_a_route());
                 claim.give_up();
-                match dir.join("checkpoint").is_file() {
+                match kept {
                     true => on_a_route(&dir),
                     false => before_results(),
                 }

@@ -39,6 +39,10 @@ pub fn run(
     let mut unkept = None;
     let follow = |pass: Pass, step: &Step<'_>| {
         follow(follower, pass, step);
+        // Before the first step there is nothing to keep.
+        if pass == Pass::Hasty && step.progress == 0.0 {
+            return ControlFlow::Continue(());
+        }
         match watch.within(|claim| keeper.keep(claim, step.kept)) {
             Ok(()) => ControlFlow::Continue(()),
             Err(error) => {
@@ -165,12 +169,16 @@ fn say_plan(RailPlan { side, when, plan }: &RailPlan, distance: f64) -> Result<(
         let [value, error] = share.map(|share| four(1e-3 * share * distance));
         format!("{value} km +- {error}")
     };
-    let [depth, error] = plan.depth.map(|depth| four(1e3 * depth));
     let why = match *when {
         "limit" => "at its first limit",
         "end" => "at the end",
         _ => "where it costs least",
     };
+    let Some(plan) = plan else {
+        let side = side.name();
+        return say(&format!("turning           {side} wheel, {why}: it does not last till then"));
+    };
+    let [depth, error] = plan.depth.map(|depth| four(1e3 * depth));
     say(&format!(
         "turning           {} wheel, {why}: each {}, {depth} mm +- {error} off the radius, {} times, in all {}",
         side.name(),

@@ -324,3 +324,32 @@ fn a_point_under_fretting_tires_as_its_path_says() {
         assert!(error < 0.05 * known, "{}: {found:?}", criterion.name());
     }
 }
+
+/// A wave of pressure on a body that repeats itself, pressed all over: on the surface it pulls most where the pressure is least, wherever the
+/// frame begins; where nothing is pressed in places, nothing is said of the edges.
+#[test]
+fn waves_of_pressure_pull_in_their_troughs() {
+    let (mean, wave, size) = (4e8, 3e8, 4e-4);
+    let contact = Contact::between(bodies(Sphere::new(1.0).unwrap()), Control::Load(1.0)).unwrap();
+    let contact = contact.line([size, 1e-3], 64).solve().unwrap();
+    let frame = &contact.problem().frame;
+    let largest_of = |shift: f64, mean: f64| {
+        let pressure = |pair: usize| {
+            let angle = 2.0 * PI * (frame.place(pair)[0] / size + shift);
+            (mean + wave * angle.cos()).max(0.0)
+        };
+        let none = vec![0.0; frame.len()];
+        let n = (0..frame.len()).map(|pair| -pressure(pair)).collect();
+        let tractions = VectorField { t1: none.clone(), t2: none, n };
+        let bodies = contact.problem().bodies.each_ref();
+        let pressed = Pressed::in_contact(bodies, 1, frame, &tractions).unwrap().repeated();
+        largest(&pressed, [0.0; 6])
+    };
+    let pulls = wave - 0.3 / 0.7 * mean;
+    // The trough lies at a centre of an element, or between two, at the border of the frame or within.
+    for shift in [0.0, 0.5, 0.25 + 1.0 / 128.0] {
+        let found = largest_of(shift, mean).surface[2].unwrap();
+        assert!((found.value / pulls - 1.0).abs() < 3e-3, "{shift}: {found:?} for {pulls}");
+    }
+    assert!(largest_of(0.0, 1e8).surface[2].is_none());
+}

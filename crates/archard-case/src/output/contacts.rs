@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use serde_json::{Value, json};
 
+use super::folder::CHECKPOINT;
 use super::rail_wear::{RailWear, rail_wear_files, rail_wear_json, write_rail_wear};
 use super::summary::json_of;
 use super::table::{Table, number};
@@ -146,7 +147,10 @@ pub fn write_rail(
 ) -> Result<Verdict, Error> {
     claim.admit()?;
     let manifest = &mut claim.manifest;
-    manifest.begin([CASE, CONTACTS])?;
+    // A route that is kept there stays until all is written.
+    if !claim.on_a_route {
+        manifest.begin([CASE, CONTACTS])?;
+    }
     manifest.write(CASE, case_toml.as_bytes())?;
     let mut table = Table::create(manifest.claim(CONTACTS)?)?;
     for contact in &results.contacts {
@@ -182,6 +186,7 @@ pub fn write_rail(
     let verdict = verdict.ended(totals.failure.as_deref());
     let summary = format!("{:#}\n", summary(results, &verdict, totals));
     manifest.write(SUMMARY, summary.as_bytes())?;
+    manifest.remove(CHECKPOINT)?;
     manifest.settle()?;
     Ok(verdict)
 }

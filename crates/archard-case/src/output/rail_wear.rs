@@ -73,8 +73,8 @@ pub struct RailPlan {
     pub side: Side,
     /// When it is turned: at the limit that it reaches first, at the end of the distance, or where that costs the least of its radius.
     pub when: &'static str,
-    /// The plan.
-    pub plan: Plan,
+    /// The plan; `None` where the wheel does not last till then.
+    pub plan: Option<Plan>,
 }
 
 impl RailPlan {
@@ -94,10 +94,8 @@ impl RailPlan {
             let until = if limited { first } else { [1.0; 3] };
             let when = if limited { "limit" } else { "end" };
             let plan = travelled.plan(turning, side, until);
-            let cheapest = travelled.cheapest_plan(turning, side, until);
-            [(when, plan), ("cheapest", cheapest)]
-                .into_iter()
-                .filter_map(move |(when, plan)| Some(Self { side, when, plan: plan? }))
+            let cheapest = travelled.cheapest_plan(turning, side, until[0]);
+            [(when, plan), ("cheapest", cheapest)].map(|(when, plan)| Self { side, when, plan })
         };
         sides.iter().flat_map(of_side).collect()
     }
@@ -161,7 +159,10 @@ impl RailWear {
     /// The largest stated error, relative, of how far wheels run in all, of what turning costs, and of damage by cracks.
     pub(super) fn worst_of_service(&self) -> Option<Line> {
         let of_plan = |RailPlan { plan, .. }: &RailPlan| {
-            [(plan.depth, "radius that turning costs"), (plan.life, "distance run in all")]
+            let of = |plan: &Plan| {
+                [(plan.depth, "radius that turning costs"), (plan.life, "distance run in all")]
+            };
+            plan.as_ref().map(of).into_iter().flatten()
         };
         let sides = self.travelled.worn.len();
         let course = self.travelled.course();
@@ -332,17 +333,17 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
         })
     };
     let plan = |RailPlan { side, when, plan }: &RailPlan| {
-        let distance = |value: f64| value * wear.extent[0];
+        let distance = |of: fn(&Plan) -> f64| plan.as_ref().map(|plan| of(plan) * wear.extent[0]);
         json!({
             "side": side.name(),
             "when": when,
-            "interval_m": distance(plan.interval[0]),
-            "error_of_interval_m": distance(plan.interval[1]),
-            "turning_depth_m": plan.depth[0],
-            "error_of_turning_depth_m": plan.depth[1],
-            "turnings": plan.turnings,
-            "distance_m": distance(plan.life[0]),
-            "error_of_distance_m": distance(plan.life[1]),
+            "interval_m": distance(|plan| plan.interval[0]),
+            "error_of_interval_m": distance(|plan| plan.interval[1]),
+            "turning_depth_m": plan.map(|plan| plan.depth[0]),
+            "error_of_turning_depth_m": plan.map(|plan| plan.depth[1]),
+            "turnings": plan.map(|plan| plan.turnings),
+            "distance_m": distance(|plan| plan.life[0]),
+            "error_of_distance_m": distance(|plan| plan.life[1]),
         })
     };
     json!({

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
-use crate::verdict;
+use crate::verdict::{self, Word};
 use archard::body::{Body, Material};
 use archard::elastic::{Criterion, Cycle, Maxima, Maximum, Pressed};
 use archard::stress::criteria::Elastic;
@@ -133,6 +133,13 @@ pub(super) fn write(
     }
     let mut lines = judged((body, strength), &maxima);
     let mut block = block(pressed, &maxima, (wanted, strength));
+    if wanted.fatigue.is_wanted() && matches!(passing, Passing::Cycle(None)) {
+        let why = format!(
+            "fatigue of `{}` is not known: the run did not see its last cycle whole; run it again, from its start",
+            body.name
+        );
+        lines.push(verdict::of_run(Word::Doubtful, &why));
+    }
     let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
     for criterion in criteria.into_iter().flatten() {
         let at = (&depths[..], &wanted.initial);

@@ -370,7 +370,7 @@ mod tests {
         }
         assert_eq!(whole.section(0, 0.0).len(), 2);
         assert_relative_eq!(whole.section(0, 0.0)[0].1[0], 0.5 * (5.5 + 20.5));
-        // Beside the middle the row that lies there.
+        // Next to the middle the row that lies there.
         assert_relative_eq!(whole.section(0, -0.5)[0].1[0], 5.5);
         assert_relative_eq!(whole.section(0, 1.5)[0].1[0], 20.5);
     }

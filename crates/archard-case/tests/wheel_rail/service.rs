@@ -108,25 +108,28 @@ fn a_wheel_is_turned_again() {
     // The new profile lies below the deepest wear, and no flank of this wear is steep.
     assert!((deepest..3.0 * deepest).contains(&cut), "{cut} {deepest}");
     let [end, cheapest] = &whole.plans[..] else { panic!("{:?}", whole.plans) };
-    assert_eq!((end.when, cheapest.when, end.plan.interval), ("end", "cheapest", [1.0, 0.0]));
-    assert_eq!(end.plan.depth[0], cut);
-    assert!((1e-3 / cut - end.plan.turnings as f64) < 1.5, "{:?}", end.plan);
+    let plan = end.plan.expect("a plan");
+    assert_eq!((end.when, cheapest.when, plan.interval), ("end", "cheapest", [1.0, 0.0]));
+    assert_eq!(plan.depth[0], cut);
+    assert!((1e-3 / cut - plan.turnings as f64) < 1.5, "{plan:?}");
+    assert!(worn(far, &["reprofiling.last_radius=459.9999 mm"]).plans[0].plan.is_none());
     let until = format!("until.turning_depth={} m", 0.5 * cut);
     let limited = worn(far, &[&until, "reprofiling.allowance=0.1 mm"]);
     let [limit, cheapest] = &limited.plans[..] else { panic!("{:?}", limited.plans) };
     assert_eq!(limit.when, "limit");
-    assert!((limit.plan.depth[0] - 0.5 * cut - 1e-4).abs() < 1e-12, "{:?}", limit.plan);
-    let runs =
-        (0..=limit.plan.turnings).map(|turned| 1.0 - turned as f64 * limit.plan.depth[0] / 0.46);
-    let all = limit.plan.interval[0] * runs.sum::<f64>();
-    assert!((limit.plan.life[0] / all - 1.0).abs() < 1e-12);
+    let [limit, cheapest] = [limit, cheapest].map(|one| one.plan.expect("a plan"));
+    assert_eq!(cheapest.interval[1], 0.0);
+    assert!((limit.depth[0] - 0.5 * cut - 1e-4).abs() < 1e-12, "{:?}", limit);
+    let runs = (0..=limit.turnings).map(|turned| 1.0 - turned as f64 * limit.depth[0] / 0.46);
+    let all = limit.interval[0] * runs.sum::<f64>();
+    assert!((limit.life[0] / all - 1.0).abs() < 1e-12);
     assert!(
-        cheapest.plan.depth[0] / cheapest.plan.interval[0]
-            <= limit.plan.depth[0] / limit.plan.interval[0] * (1.0 + 1e-12)
+        cheapest.depth[0] / cheapest.interval[0]
+            <= limit.depth[0] / limit.interval[0] * (1.0 + 1e-12)
     );
-    let share = limit.plan.interval[0];
+    let share = limit.interval[0];
     let [there, off, _] = depth(&worn(share * far, &[]));
-    assert!((there - 0.5 * cut).abs() <= off + cut * limit.plan.interval[1], "{there} {cut} {off}");
+    assert!((there - 0.5 * cut).abs() <= off + cut * limit.interval[1], "{there} {cut} {off}");
 }
 
 /// Damage by cracks is a limit like any other, and has its columns along the profile and over the route.

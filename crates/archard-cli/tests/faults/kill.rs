@@ -302,8 +302,20 @@ fn a_route_that_is_killed_goes_on() {
         run.end();
         last = fs::read(&checkpoint).unwrap();
     }
+    // Of another case there is no route to go on with.
+    let case = killed.path().join("out/case.toml");
+    let own = fs::read_to_string(&case).unwrap();
+    fs::write(
+        &case,
+        own.replace("friction.coulomb.coefficient = 0.3", "friction.coulomb.coefficient = 0.2"),
+    )
+    .unwrap();
     let mut resume = program();
     resume.current_dir(killed.path()).args(["run", "-q", "--resume", "out"]);
+    resume.stderr(Stdio::piped());
+    let ended = Run::start(&mut resume).end();
+    assert!(said(&ended).contains("have changed"), "{}", said(&ended));
+    fs::write(&case, own).unwrap();
     let ended = Run::start(&mut resume).end();
     for name in ["contacts.csv", "wear.csv", "dimensions.csv", "worn_wheel_right.prw", "case.toml"]
     {

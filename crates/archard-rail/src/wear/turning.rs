@@ -71,8 +71,10 @@ impl Turning {
     /// How far it runs in all. A smaller wheel turns more often on its way, and wears the faster: each run is as much shorter as its
     /// radius is smaller.
     fn life(&self, [progress, depth, _]: At, turnings: usize) -> f64 {
-        let radius = |turned: usize| 1.0 - turned as f64 * (depth + self.allowance) / self.radius;
-        (0..=turnings).map(|turned| progress * radius(turned)).sum()
+        let turned = turnings as f64;
+        // The sum of 1 - i c over i from 0 to n.
+        let smaller = (depth + self.allowance) / self.radius;
+        progress * (turned + 1.0) * (1.0 - 0.5 * smaller * turned)
     }
 
     /// Of steps that rise up to a share of the distance, the one at which turning costs the least of each metre.
@@ -94,21 +96,19 @@ fn between(course: &[At], progress: f64) -> Option<At> {
 }
 
 impl Travelled {
-    /// What it takes of a wheel to turn it after the shares of the distance that the three runs are given, in the order of
-    /// [`error_of`]; `None` where one of them does not get so far, or the wheel does not last till then.
+    /// What it takes of a wheel to turn it after the shares of the distance at which the three runs reach something, in the order of
+    /// [`error_of`]; `None` where the wheel does not last till then. Errors are infinite where not all of them get so far.
     pub fn plan(&self, turning: &Turning, side: Side, at: [f64; 3]) -> Option<Plan> {
         let courses = self.turned(side);
-        let found = [0, 1, 2].map(|run| between(&courses[run], at[run]));
-        let [Some(fine), Some(coarse), Some(hasty)] = found else { return None };
-        turning.plan([fine, coarse, hasty])
+        turning.plan([0, 1, 2].map(|run| between(&courses[run], at[run])))
     }
 
-    /// The plan that costs least of the radius on each metre, up to those shares of the distance.
-    pub fn cheapest_plan(&self, turning: &Turning, side: Side, until: [f64; 3]) -> Option<Plan> {
+    /// The plan that costs least of the radius on each metre, up to that share of the distance: its interval is a choice, which has no
+    /// error.
+    pub fn cheapest_plan(&self, turning: &Turning, side: Side, until: f64) -> Option<Plan> {
         let courses = self.turned(side);
-        let found = [0, 1, 2].map(|run| turning.cheapest(&courses[run], until[run]));
-        let [Some(fine), Some(coarse), Some(hasty)] = found else { return None };
-        turning.plan([fine, coarse, hasty])
+        let [at, ..] = turning.cheapest(&courses[0], until)?;
+        turning.plan([0, 1, 2].map(|run| between(&courses[run], at)))
     }
 
     /// The steps of a side in the three runs.
@@ -126,9 +126,14 @@ impl Travelled {
 impl Turning {
     /// The plan of a step, with the errors that the same step of the three runs has. How often a wheel is turned jumps where a loss of
     /// radius goes once more into what there is: it is found at both ends of the errors.
-    fn plan(&self, found: [At; 3]) -> Option<Plan> {
-        let [fine, ..] = found;
-        let [interval, depth, tread] = [0, 1, 2].map(|value| error_of(found.map(|at| at[value])));
+    fn plan(&self, found: [Option<At>; 3]) -> Option<Plan> {
+        let fine = found[0]?;
+        let [interval, depth, tread] = [0, 1, 2].map(|value| match found {
+            [Some(fine), Some(coarse), Some(hasty)] => {
+                error_of([fine, coarse, hasty].map(|at| at[value]))
+            }
+            _ => f64::INFINITY,
+        });
         let turnings = self.turnings(fine)?;
         let life = self.life(fine, turnings);
         let apart = |sign: f64| {

@@ -49,8 +49,12 @@ impl AtEdge {
     }
 }
 
-/// The edges of the largest measures, by the stresses in a plane an element deep.
+/// The edges of the largest measures, by the stresses in a plane an element deep. None where tractions repeat themselves: their waves end
+/// at no edge, so that nothing can be extrapolated to one.
 pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
+    if below.repeats() {
+        return vec![];
+    }
     let [nx, ny] = below.elements();
     let pressed = |element: usize| below.pressure()[element] > 0.0;
     let rim = |element: &usize| {

@@ -240,7 +240,10 @@ fn on_surface(
     let below = levels[0];
     let [nx, ny] = below.elements();
     let pressed = |element: usize, dx: isize, dy: isize| {
-        let [i, j] = [(element % nx) as isize + dx, (element / nx) as isize + dy];
+        let [mut i, mut j] = [(element % nx) as isize + dx, (element / nx) as isize + dy];
+        if below.repeats() {
+            (i, j) = (i.rem_euclid(nx as isize), j.rem_euclid(ny as isize));
+        }
         let there = (0..nx as isize).contains(&i) && (0..ny as isize).contains(&j);
         there && below.pressure()[(i + nx as isize * j) as usize] > 0.0
     };

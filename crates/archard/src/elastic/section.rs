@@ -45,7 +45,7 @@ pub struct Sampled {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SectionError {
     /// A normal without length.
-    #[error("the normal has no direction: give three numbers of which one is not zero")]
+    #[error("the normal has no direction: give three numbers, one of them not zero")]
     NoNormal,
     /// More places than anyone waits for.
     #[error(

@@ -8,7 +8,7 @@ use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "falling",
-    meaning: "Coulomb with a coefficient that falls with the speed at which the bodies slide over each other, mu_1 + (mu_0 - mu_1) exp(-v / v_0); any motion that tells it",
+    meaning: "Coulomb with a coefficient that falls with the speed at which the bodies slide over each other, mu_1 + (mu_0 - mu_1) exp(-v / v_0); any motion that gives it",
     parameters: &[COEFFICIENT, LEAST, SPEED],
     build: |values| {
         let [coefficient, least, speed] =

@@ -12,7 +12,7 @@ use crate::parameters::{About, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "table",
-    meaning: "Coulomb with a coefficient from a table over the pressure, the speed at which the bodies slide over each other, the distance points have slid or the temperature: the largest traction is mu p; any motion that tells it",
+    meaning: "Coulomb with a coefficient from a table over the pressure, the speed at which the bodies slide over each other, the distance points have slid or the temperature: the largest traction is mu p; any motion that gives it",
     parameters: &[Parameter::required(
         "file",
         Quantity::Table(&[

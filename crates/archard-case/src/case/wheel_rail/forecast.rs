@@ -61,11 +61,7 @@ impl Prepared {
 impl Display for WheelRailForecast {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if self.points > 1 {
-            writeln!(
-                f,
-                "route             {} points, the first of which touches like this:",
-                self.points
-            )?;
+            writeln!(f, "route             {} points; the first touches like this:", self.points)?;
         }
         writeln!(f, "roll              {:.5} mrad", 1e3 * self.roll)?;
         for (side, onset) in &self.sides {

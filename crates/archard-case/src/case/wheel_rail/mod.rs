@@ -192,7 +192,10 @@ impl WheelRailCase {
         let cracks = self.cracks()?;
         let turning = reprofiling::turning(&self.reprofiling, wheel.radius)
             .map_err(at(Key::of(["reprofiling"])))?;
+        let last = turning.map_or(wheel.radius, |turning| turning.last_radius);
+        let planned = limits::limits(&self.until, last);
         let prepared = Prepared {
+            planned,
             setup,
             samples,
             hardness,

@@ -35,6 +35,8 @@ pub struct Prepared {
     pub(super) limits: Vec<Limit>,
     /// How wheel and rail crack.
     pub(super) cracks: [Option<Cracks>; 2],
+    /// Limits that a wheel has which is turned again: those of its last radius.
+    pub(super) planned: Vec<Limit>,
     /// How the wheel is turned again.
     pub(super) turning: Option<Turning>,
     /// How the case has the wheelset stand and run.
@@ -44,9 +46,10 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// All that a route is computed from and that a case only names, in words: profiles and points.
+    /// All that a route is computed from, in words: profiles, points and tables that a case only names as well.
     pub fn computed_from(&self) -> String {
-        format!("{:?} {:?}", self.setup, self.running)
+        let Self { setup, bodies, running, resolution, cracks, .. } = self;
+        format!("{setup:?} {bodies:?} {running:?} {resolution:?} {cracks:?}")
     }
 
     /// Which of wheel and rail wear.
@@ -102,7 +105,7 @@ impl Prepared {
         let error = error.map(|((fine, coarse), hasty)| error_of([fine, coarse, hasty]));
         let lives = Life::of(&self.limits, &self.running.sides, &travelled);
         let plans = self.turning.iter().flat_map(|turning| {
-            RailPlan::of(turning, &self.limits, &self.running.sides, &travelled)
+            RailPlan::of(turning, &self.planned, &self.running.sides, &travelled)
         });
         let wear = RailWear {
             plans: plans.collect(),

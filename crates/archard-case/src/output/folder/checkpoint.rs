@@ -22,7 +22,7 @@ use archard::numerics::seal::{seal, unseal};
 use archard::simulation::Simulation;
 
 /// The file.
-pub(super) const NAME: &str = "checkpoint";
+pub(in crate::output) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
 const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 16\n");
 /// The longest a run is not kept where it could be.

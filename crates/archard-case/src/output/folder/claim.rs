@@ -27,6 +27,8 @@ pub struct Claim {
     pub(super) until: Vec<Limit>,
     /// Whether the folder was made for it.
     made: bool,
+    /// Whether the folder holds the route of this run as far as it has come.
+    pub(in crate::output) on_a_route: bool,
 }
 
 impl Claim {
@@ -40,7 +42,9 @@ impl Claim {
         let lock = Lock::take(dir)?;
         match Manifest::read(dir) {
             Ok(manifest) => {
-                Ok(Self { dir: dir.to_owned(), lock, manifest, more: vec![], until: vec![], made })
+                let (more, until) = (vec![], vec![]);
+                let dir = dir.to_owned();
+                Ok(Self { dir, lock, manifest, more, until, made, on_a_route: false })
             }
             Err(error) => {
                 lock.give_up();
@@ -65,6 +69,11 @@ impl Claim {
     #[must_use]
     pub fn sparing(self, inputs: Inputs) -> Self {
         Self { manifest: self.manifest.sparing(inputs), ..self }
+    }
+
+    /// Whether the folder holds the route of this run as far as it has come.
+    pub fn is_on_a_route(&self) -> bool {
+        self.on_a_route
     }
 
     /// The folder.

@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use behind::Behind;
+pub(in crate::output) use checkpoint::NAME as CHECKPOINT;
 use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;

@@ -24,17 +24,16 @@ pub struct RouteKeeper {
     /// The hash of all that it is computed from.
     hash: Vec<u8>,
     clock: Clock,
-    /// Whether the folder holds this route.
-    begun: bool,
 }
 
 impl RouteKeeper {
     /// For a case as it is printed, and all that it is computed from in words.
     pub fn new(case_toml: String, from: &str) -> Self {
-        let mut sealed = from.as_bytes().to_vec();
+        let mut sealed = [case_toml.as_bytes(), from.as_bytes()].concat();
+        let length = sealed.len();
         seal(&mut sealed);
-        let hash = sealed.split_off(from.len());
-        Self { case_toml, hash, clock: Clock::new(), begun: false }
+        let hash = sealed.split_off(length);
+        Self { case_toml, hash, clock: Clock::new() }
     }
 
     /// Keeps a route where that is due; the first time what earlier runs wrote is removed.
@@ -46,11 +45,11 @@ impl RouteKeeper {
             return Ok(());
         }
         let begun = Instant::now();
-        if !self.begun {
+        if !claim.on_a_route {
             claim.admit()?;
             claim.manifest.begin([CASE, NAME])?;
             claim.manifest.write(CASE, self.case_toml.as_bytes())?;
-            self.begun = true;
+            claim.on_a_route = true;
         }
         // Numbers and lists, which always can be written.
         let mut content = self.hash.clone();
@@ -66,16 +65,17 @@ impl RouteKeeper {
     ///
     /// # Errors
     /// If none exists, it is damaged, or what it was computed from has changed.
-    pub fn find(&mut self, claim: &Claim) -> Result<Kept, Error> {
+    pub fn find(&self, claim: &mut Claim) -> Result<Kept, Error> {
         let content = checkpoint::open(&claim.dir, FORMAT)?;
-        let torn = || checkpoint::torn(&claim.dir);
+        let dir = claim.dir.clone();
+        let torn = || checkpoint::torn(&dir);
         let (hash, rest) = content.split_at_checked(self.hash.len()).ok_or_else(torn)?;
         if hash != self.hash {
             let why = "its case, its profiles or its route have changed; start the run anew";
             return Err(Error::NoCheckpoint { dir: claim.dir.clone(), why });
         }
         let kept = postcard::from_bytes(rest).map_err(|_| torn())?;
-        self.begun = true;
+        claim.on_a_route = true;
         Ok(kept)
     }
 }

@@ -95,6 +95,11 @@ impl Below {
         Self { waves: Some(Waves::on(self.elements)), ..self }
     }
 
+    /// Whether tractions repeat themselves with the frame.
+    pub fn repeats(&self) -> bool {
+        self.waves.is_some()
+    }
+
     /// Length (m) of the frame along x and y.
     fn size(&self) -> [f64; 2] {
         [0, 1].map(|axis| self.spacing[axis] * self.elements[axis] as f64)
