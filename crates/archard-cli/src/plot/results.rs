@@ -94,6 +94,11 @@ impl Results {
             dir.display()
         );
         ensure!(
+            history.exists() || !dir.join("checkpoint").is_file(),
+            "`{0}` holds a route that was interrupted: go on with `archard run --resume {0}`",
+            dir.display()
+        );
+        ensure!(
             history.exists(),
             "`{}` is not a result folder: it has no history.csv",
             dir.display()
