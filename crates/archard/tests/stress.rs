@@ -330,7 +330,8 @@ fn a_point_under_fretting_tires_as_its_path_says() {
 #[test]
 fn waves_of_pressure_pull_in_their_troughs() {
     let (mean, wave, size) = (4e8, 3e8, 4e-4);
-    let contact = Contact::between(bodies(Sphere::new(1.0).unwrap()), Control::Load(1.0)).unwrap();
+    let contact =
+        Contact::between(bodies(Cylinder::along_y(1.0).unwrap()), Control::Load(1.0)).unwrap();
     let contact = contact.line([size, 1e-3], 64).solve().unwrap();
     let frame = &contact.problem().frame;
     let largest_of = |shift: f64, mean: f64| {

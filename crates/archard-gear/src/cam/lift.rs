@@ -47,7 +47,7 @@ impl Lift {
         let turn = last[0] - first[0];
         if (turn - TAU).abs() > ROUNDED {
             return wrong(format!(
-                "the angles go from {:.6} to {:.6} deg, {:.3e} deg off a whole turn: the last row has to be the first, 360 deg later",
+                "the angles go from {:.6} to {:.6} deg, {:.3e} deg off: a whole turn is needed, whose last row is the first, 360 deg later",
                 first[0].to_degrees(),
                 last[0].to_degrees(),
                 (turn - TAU).to_degrees()

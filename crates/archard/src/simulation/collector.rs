@@ -139,12 +139,28 @@ impl<'a> Collector<'a> {
             let Some(coefficients) = coefficients else { continue };
             for (index, &pair) in pairs.iter().enumerate() {
                 let Rubbing { pressure, slip, .. } = rubbing(pair);
-                let slope = coefficients[place(body, pair)] * slip;
+                let all = self.along(state, (body, coefficients), position, pair);
+                let slope = all.map(|(share, own)| share * own).sum::<f64>() * slip;
                 wear.depths[body][index] += slope * pressure;
                 wear.slopes[index] += slope;
             }
         }
         wear
+    }
+
+    /// The shares of the way of a pair over a body in a position, and the coefficients where they lie.
+    fn along<'s>(
+        &self,
+        state: &'s ContactState,
+        (body, coefficients): (usize, &'s [f64]),
+        position: &'s Position,
+        pair: usize,
+    ) -> impl Iterator<Item = (f64, f64)> + 's {
+        let [x, y] = position.offsets[body];
+        let grid = &state.surfaces[body].grid;
+        position.ways[body].iter().map(move |([along, across], share)| {
+            (*share, coefficients[grid.at(pair, [x + along, y + across])])
+        })
     }
 
     /// Whether any body stays that wears, or whose distance counts.
@@ -173,13 +189,27 @@ impl<'a> Collector<'a> {
 
     /// Wears both bodies in a position.
     pub fn wear(&self, state: &mut ContactState, made: &Collected, position: &Position) {
-        let stays = state.surfaces.iter_mut().enumerate().filter(|(body, _)| self.stays[*body]);
-        for (body, surface) in stays {
+        for body in (0..2).filter(|&body| self.stays[body]) {
             let Some(wear) = &made.pairs else { break };
             let [x, y] = position.offsets[body];
-            for ([along, across], share) in &position.ways[body] {
+            // What each place of the way has of the mean over it.
+            let parts = self.coefficients[body].as_ref().map(|coefficients| {
+                let of = |pair: usize| {
+                    let all = || self.along(state, (body, coefficients), position, pair);
+                    let mean: f64 = all().map(|(share, own)| share * own).sum();
+                    all().map(|(_, own)| if mean > 0.0 { own / mean } else { 1.0 }).collect()
+                };
+                (0..wear.slip.len()).map(of).collect::<Vec<Vec<f64>>>()
+            });
+            let surface = &mut state.surfaces[body];
+            for (way, ([along, across], share)) in position.ways[body].iter().enumerate() {
                 let offset = [x + along, y + across];
-                surface.wear((&wear.depths[body], &wear.slip), offset, *share);
+                let own = parts.as_ref().map(|parts| {
+                    let depths = wear.depths[body].iter().zip(parts);
+                    depths.map(|(depth, parts)| depth * parts[way]).collect::<Vec<f64>>()
+                });
+                let depths = own.as_ref().unwrap_or(&wear.depths[body]);
+                surface.wear((depths, &wear.slip), offset, *share);
             }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
