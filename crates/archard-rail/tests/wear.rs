@@ -279,7 +279,8 @@ fn cracks_grow_at_every_passage() {
         assert!((most - expected).abs() < off, "{most} {expected} {off}");
         let touched = profile.damage().iter().filter(|damage| **damage > 0.5 * most).count();
         let all = profile.damage().iter().filter(|damage| **damage > 0.0).count();
-        assert!(touched > 10 && all < touched + 6, "{touched} {all}");
+        // Nothing but what touches, as the patch widens.
+        assert!(touched > 10 && all < touched + touched / 2, "{touched} {all}");
     }
     // Half of the axles crack, the others take more off.
     let slow = OperatingPoint { share: 0.5, ..point(0.0, 0.0, 0.5) };
