@@ -15,14 +15,12 @@ use archard::compliance::bem::contact::Job;
 use archard::elastic::{self, Cycle, Deformed, ElasticError, Point, Pressed, Section};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::Shift;
+use archard::numerics::SAME;
 use archard::problem::ContactProblem;
 use archard::simulation::{Observer, Report};
 
 /// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2, where they lie in contact.
 pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
-
-/// Instants of a cycle so near to each other, relative to the cycle, are one: they differ by rounding alone.
-const SAME: f64 = 1e-9;
 
 /// Keeps the last tractions and the wear of a run, for the stresses inside where these are asked for.
 #[derive(Debug)]

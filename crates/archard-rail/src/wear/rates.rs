@@ -152,8 +152,7 @@ impl Journey {
         }
         let ends = |line: &&WornLine| [-0.5, 0.5].map(|part| line.place + part * line.width);
         let ends: Vec<f64> = lines.iter().flat_map(ends).collect();
-        let places = loaded.search().gap(&patch.patch).places(&ends);
-        let places = places.ok_or(ContactError::Short { y: patch.patch.reference.y })?;
+        let places = placed(loaded, patch, &ends)?;
         // While the wheelset goes a metre the patch rolls over so many.
         let rolled = patch.creepage.speed / point.velocity.forward;
         let metres = [self.route.distance, self.route.axles].map(|all| all * point.share * rolled);
@@ -182,8 +181,7 @@ impl Journey {
         let told = loaded.tell(patch);
         let rolled = patch.creepage.speed / point.velocity.forward;
         let metres = [self.route.distance * rolled, self.route.axles];
-        let places = loaded.search().gap(&patch.patch).places(&ends);
-        let places = places.ok_or(ContactError::Short { y: patch.patch.reference.y })?;
+        let places = placed(loaded, patch, &ends)?;
         for body in 0..2 {
             let Some(cracks) = &self.cracks[body] else { continue };
             let damage = cracks.of_passage(told.t_gamma) * point.share * metres[body];
@@ -191,4 +189,14 @@ impl Journey {
         }
         Ok(())
     }
+}
+
+/// Where (m along the curves of the wheel and of the rail) a patch has those s (m).
+fn placed(
+    loaded: &Loaded<'_>,
+    patch: &Pressed,
+    across: &[f64],
+) -> Result<[Vec<f64>; 2], ContactError> {
+    let places = loaded.search().gap(&patch.patch).places(across);
+    places.ok_or(ContactError::Short { y: patch.patch.reference.y })
 }

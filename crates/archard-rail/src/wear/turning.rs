@@ -84,6 +84,32 @@ impl Turning {
         let within = within.filter(|at| at[0] > 0.0 && at[0] <= until);
         within.min_by(|one, other| cost(one).total_cmp(&cost(other)))
     }
+
+    /// The plan of a step, with the errors that the same step of the three runs has. How often a wheel is turned jumps where a loss of
+    /// radius goes once more into what there is: it is found at both ends of the errors. `None` of a wheel that is turned before it runs.
+    fn plan(&self, found: [Option<At>; 3]) -> Option<Plan> {
+        let fine = found[0]?;
+        let [interval, depth, tread] = [0, 1, 2].map(|value| match found {
+            [Some(fine), Some(coarse), Some(hasty)] => {
+                error_of([fine, coarse, hasty].map(|at| at[value]))
+            }
+            _ => f64::INFINITY,
+        });
+        let turnings = self.turnings(fine).filter(|_| fine[0] > 0.0)?;
+        let life = self.life(fine, turnings);
+        let apart = |sign: f64| {
+            let least = |value: f64| value.max(0.0);
+            let at = [fine[0], least(fine[1] + sign * depth), least(fine[2] + sign * tread)];
+            let other = self.turnings(at).map_or(0.0, |turnings| self.life(at, turnings));
+            (other - life).abs()
+        };
+        Some(Plan {
+            interval: [fine[0], interval],
+            depth: [fine[1] + self.allowance, depth],
+            turnings,
+            life: [life, apart(-1.0).max(apart(1.0)) + life * interval / fine[0]],
+        })
+    }
 }
 
 /// A course at a share of the distance, straight between its steps; `None` beyond its end.
@@ -119,34 +145,6 @@ impl Travelled {
         self.told.each_ref().map(|course| {
             let own = course.iter().filter(|told| told.side == side);
             own.map(|told| [told.progress, told.values[depth], told.values[tread]]).collect()
-        })
-    }
-}
-
-impl Turning {
-    /// The plan of a step, with the errors that the same step of the three runs has. How often a wheel is turned jumps where a loss of
-    /// radius goes once more into what there is: it is found at both ends of the errors.
-    fn plan(&self, found: [Option<At>; 3]) -> Option<Plan> {
-        let fine = found[0]?;
-        let [interval, depth, tread] = [0, 1, 2].map(|value| match found {
-            [Some(fine), Some(coarse), Some(hasty)] => {
-                error_of([fine, coarse, hasty].map(|at| at[value]))
-            }
-            _ => f64::INFINITY,
-        });
-        let turnings = self.turnings(fine)?;
-        let life = self.life(fine, turnings);
-        let apart = |sign: f64| {
-            let least = |value: f64| value.max(0.0);
-            let at = [fine[0], least(fine[1] + sign * depth), least(fine[2] + sign * tread)];
-            let other = self.turnings(at).map_or(0.0, |turnings| self.life(at, turnings));
-            (other - life).abs()
-        };
-        Some(Plan {
-            interval: [fine[0], interval],
-            depth: [fine[1] + self.allowance, depth],
-            turnings,
-            life: [life, apart(-1.0).max(apart(1.0)) + life * interval / fine[0]],
         })
     }
 }
@@ -206,5 +204,7 @@ mod tests {
         let runs = (0..6).map(|turned| (0.46 - 5e-3 * f64::from(turned)) / 0.46);
         assert_relative_eq!(turning.life(at, turnings), runs.sum::<f64>(), max_relative = 1e-12);
         assert_eq!(turning.turnings([1.0, 4.5e-3, 31e-3]), None);
+        // A limit that new profiles are at leaves nothing to plan.
+        assert_eq!(turning.plan([Some([0.0; 3]); 3]), None);
     }
 }

@@ -4,8 +4,8 @@ use std::fmt::{self, Display, Formatter};
 
 use archard_gear::cam::{Cam, Station};
 
-/// Angles from row to row, of the half degrees of a turn: 15 degrees.
-const EVERY: usize = 30;
+/// Rows of a turn, however many angles are looked at: 15 degrees apart.
+const ROWS: usize = 24;
 
 /// What a cam and its follower go through in a turn, before any wear.
 #[non_exhaustive]
@@ -21,7 +21,8 @@ impl CamForecast {
     /// The stations to show, some of a turn.
     pub fn stations(&self) -> Vec<Station> {
         let stations = self.cam.as_ref().map(Cam::stations).unwrap_or_default();
-        stations.into_iter().step_by(EVERY).collect()
+        let every = (stations.len() / ROWS).max(1);
+        stations.into_iter().step_by(every).collect()
     }
 
     /// The least and the largest of what stations have.
