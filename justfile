@@ -95,7 +95,7 @@ gallery:
 bench: && bench-cases
     cargo bench -p archard-case
 
-# compare whole cases with an earlier version, from 128 to 1024 elements a side and as published, into the book: just bench-cases 848cb14
+# compare whole cases with an earlier version, from 128 to 1024 elements a side and as published, into target/bench-cases.md: just bench-cases 848cb14
 bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb14)":
     #!/usr/bin/env bash
     set -euo pipefail
@@ -103,11 +103,8 @@ bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb1
     git archive {{earlier}} | tar -x -C target/earlier
     CARGO_TARGET_DIR=target/of-earlier cargo build --release --manifest-path target/earlier/Cargo.toml -p archard-cli
     cargo build --release -p archard-cli
-    page=book/src/performance.md
-    sed '/^## Whole cases/,$d' $page > target/page.md
     python3 crates/archard-cli/benches/cases.py target/of-earlier/release/archard target/release/archard \
-        target/earlier/cases cases | tee -a target/page.md
-    mv target/page.md $page
+        target/earlier/cases cases | tee target/bench-cases.md
 
 # solve the same contacts by Archard, ASPHER, Tamaas and ContactMechanics, into the book
 peers:

@@ -1,4 +1,4 @@
-"""CPU time and effort of whole cases by two programs: a section of the book's page on performance.
+"""CPU time and effort of whole cases by two programs, as Markdown.
 
     python3 cases.py EARLIER PRESENT EARLIER_CASES PRESENT_CASES
 
@@ -46,8 +46,7 @@ ELEMENTS = (128, 256, 512, 1024)
 FRAMES_HEAD = """## Whole cases against an earlier version
 
 CPU time of whole processes by the earlier program and by this one, in turns on one thread, the shortest of three runs of each, \
-one of those above 5 s; contact solves and applications of the compliance, before / now. Counts hold on any machine. \
-`just bench-cases REVISION` writes this section.
+one of those above 5 s; contact solves and applications of the compliance, before / now. Counts hold on any machine.
 
 ### Frames and elements
 
