@@ -590,11 +590,11 @@ mod tests {
         let (_, section) = page.split_once("## Columns of the history\n").unwrap();
         let (section, _) = section.split_once("\n## ").unwrap();
         let progress = Progress::ALL.map(|progress| format!("`{}`", progress.column)).join(", ");
-        let row = |name: &str, unit, meaning| format!("| {name} | {unit} | {meaning} |\n");
-        let rows = COLUMNS.iter().map(|c| row(&format!("`{}`", c.name), c.unit, c.meaning));
-        let table = row("column", "unit", "meaning")
-            + "|---|---|---|\n"
-            + &row(&progress, "", "how far the motion has gone, in one of these columns")
+        let row = |name: &str, meaning| format!("| {name} | {meaning} |\n");
+        let rows = COLUMNS.iter().map(|c| row(&format!("`{}`", c.name), c.meaning));
+        let table = row("column", "meaning")
+            + "|---|---|\n"
+            + &row(&progress, "how far the motion has gone, in one of these columns")
             + &rows.collect::<String>();
         let Some(remarks) = section.strip_prefix(&format!("\n{table}\n")) else {
             panic!("`results.md` has to hold\n{table}");
