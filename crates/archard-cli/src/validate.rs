@@ -13,28 +13,25 @@ use crate::say::say;
 /// The first words of the page.
 const HEAD: &str = "# Measured wear
 
-Each set is a folder with a case, a table of tests and the files of what was measured. Each test is predicted by the coefficient that the other
-tests give, or by the one of its authors, and held against what was measured: the error is the prediction less the measured value, after ASME
-V&V 20. Its 95 % interval has the scatter of the tests, the uncertainty of the measured value and that of the numbers (half the elements) in
-it. Depths and widths at the test's own section say whether the shape is right, whatever the coefficient. `archard validate FOLDER -o PAGE`
-makes this page.
+Each test is predicted by the coefficient of the other tests of its set, or by that of its authors; the error is the prediction less the measured value, after ASME
+V&V 20. The 95 % interval has the scatter of the tests, the uncertainty of the measured value and that of the numbers in it. Depths and widths at
+the test's own section judge the shape alone. `archard validate FOLDER -o PAGE` makes this page.
 ";
 const TAIL: &str = "## A set of one's own
 
-A folder with `set.toml`, a case and a table of tests as `archard fit` reads it:
+A folder with a case, a table of tests as `archard fit` reads it, and `set.toml`:
 
 ```toml
 title = \"What was tested\"
-source = \"Where it was published, with load, distance and materials\"
+source = \"Where it was published\"
 licence = \"Under which terms it is copied\"
-read = \"What was read, from where, and how well\"
+read = \"What was read, and how well\"
 case = \"case.toml\"              # if it is another
 tests = \"tests.csv\"             # if it is another
-# assume = [\"body.ring.wear.archard.coefficient\"]     # what no test determines
+assume = [\"body.ring.wear.archard.coefficient\"]     # if no test determines it
 
-# Without this each test is predicted by the others.
-[coefficient]
-source = \"Who found the coefficient of the case, and how\"
+[coefficient]                   # without it tests are predicted by the others
+source = \"Who found the coefficient of the case\"
 uncertainty = 0.1               # standard, relative
 ```
 ";
