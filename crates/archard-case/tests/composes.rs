@@ -118,13 +118,13 @@ const MOTIONS: [(&str, &str); 12] = [
     ("a table of stations", "table = { file = \"stations.csv\", cycles = 10, tolerance = 0.01 }"),
 ];
 
-/// What goes on top: name, and what it adds to the lower body, to friction and to the case.
+/// What goes on top: its letter on the page, and what it adds to the lower body, to friction and to the case.
 const EXTRAS: [(&str, &str, &str, &str); 5] = [
-    ("alone", "", "friction.coulomb.coefficient = 0.3", ""),
-    ("yield", "hardness = \"1 GPa\"", "", ""),
-    ("friction of two axes", "", "friction.orthotropic = { coefficients = [0.3, 0.2] }", ""),
-    ("heat", THERMAL, "friction.coulomb.coefficient = 0.3", ""),
-    ("`accuracy`", "", "friction.coulomb.coefficient = 0.3", "accuracy = 0.05"),
+    ("", "", "friction.coulomb.coefficient = 0.3", ""),
+    ("y", "hardness = \"1 GPa\"", "", ""),
+    ("f", "", "friction.orthotropic = { coefficients = [0.3, 0.2] }", ""),
+    ("h", THERMAL, "friction.coulomb.coefficient = 0.3", ""),
+    ("a", "", "friction.coulomb.coefficient = 0.3", "accuracy = 0.05"),
 ];
 
 /// The case of a cell.
@@ -167,48 +167,57 @@ fn refused(text: &str) -> Option<String> {
     Some(first.map_or_else(String::new, |problem| problem.message.clone()))
 }
 
-fn page() -> String {
-    let mut page = "# What composes\n\nEach elasticity with each motion, alone and with more on top. A dot runs; a number is the reason below for \
-         which the case is refused. A test makes this page.\n"
+/// What stands for a case that runs.
+const RUNS: &str = "\u{2022}";
+
+/// What stands for the result of a case: a dot, or the number of the reason why it is refused.
+fn mark(reasons: &mut Vec<String>, refused: Option<String>) -> String {
+    let Some(reason) = refused else { return RUNS.to_owned() };
+    let known = reasons.iter().position(|one| *one == reason);
+    let index = known.unwrap_or_else(|| {
+        reasons.push(reason);
+        reasons.len() - 1
+    });
+    (index + 1).to_string()
+}
+
+/// The page, and how many cases run.
+fn page() -> (String, usize) {
+    let mut page = "# What composes\n\nEach motion with each elasticity. A dot runs; a number is the reason below for which the case is refused. \
+         Letters have what differs with more on top: y yield, f friction of two axes, h heat, a `accuracy`. A test makes this page.\n\n"
         .to_owned();
     let mut reasons: Vec<String> = vec![];
+    let mut count = 0;
+    let mut rows = MOTIONS.map(|(motion, _)| format!("| {motion} |"));
     for elasticity in &ELASTICITIES {
-        let names = EXTRAS.map(|extra| extra.0).join(" | ");
-        let name = elasticity.name;
-        let title = name[..1].to_uppercase() + &name[1..];
-        let rule = "|---".repeat(EXTRAS.len() + 1);
-        let _ = write!(page, "\n## {title}\n\n| motion | {names} |\n{rule}|\n");
-        for (motion, table) in MOTIONS {
-            let _ = write!(page, "| {motion} |");
-            for extra in EXTRAS {
-                let cell = match refused(&text(elasticity, table, extra)) {
-                    None => "\u{2022}".to_owned(),
-                    Some(reason) => {
-                        let known = reasons.iter().position(|one| *one == reason);
-                        let index = known.unwrap_or_else(|| {
-                            reasons.push(reason);
-                            reasons.len() - 1
-                        });
-                        (index + 1).to_string()
-                    }
-                };
-                let _ = write!(page, " {cell} |");
+        for ((_, table), row) in MOTIONS.iter().zip(&mut rows) {
+            let marks =
+                EXTRAS.map(|extra| mark(&mut reasons, refused(&text(elasticity, table, extra))));
+            count += marks.iter().filter(|mark| *mark == RUNS).count();
+            let _ = write!(row, " {}", marks[0]);
+            for ((letter, ..), other) in EXTRAS.iter().zip(&marks) {
+                if *other != marks[0] {
+                    let _ = write!(row, " {letter}{other}");
+                }
             }
-            page.push('\n');
+            row.push_str(" |");
         }
     }
+    let names = ELASTICITIES.map(|elasticity| elasticity.name).join(" | ");
+    let rule = "|---".repeat(ELASTICITIES.len() + 1);
+    let _ = writeln!(page, "| | {names} |\n{rule}|\n{}", rows.join("\n"));
     page.push_str("\n## Reasons\n\n");
     for (index, reason) in reasons.iter().enumerate() {
         let _ = writeln!(page, "{}. {reason}", index + 1);
     }
-    page
+    (page, count)
 }
 
 /// The page says what the program does today.
 #[test]
 fn the_page_says_what_composes() {
-    let made = page();
-    assert!(made.matches('\u{2022}').count() > 100, "{made}");
+    let (made, count) = page();
+    assert!(count > 100, "{made}");
     if std::env::var_os("ARCHARD_COMPOSES").is_some() {
         fs::write(PAGE, &made).expect("the page");
     }

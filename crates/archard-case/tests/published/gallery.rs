@@ -9,9 +9,8 @@ use toml::de::{DeTable, DeValue};
 const HEAD: &str = "\
 # Gallery
 
-Every case of the repository, under the question that it answers. A picture leads to itself in full, a title to the page of the case with
-its commands, *numbers* to what its source says and what Archard gives. `archard new NAME` writes a case out to start from; NAME
-is in the address of its page. The page is written by `just pages` from `gallery/questions.toml`, the pictures by `just gallery`.
+Every case of the repository. A picture leads to itself in full, a title to the page of the case, *numbers* to its source. `archard new NAME` writes a case
+out to start from; NAME is in the address of its page. `just pages` writes this page, `just gallery` the pictures.
 ";
 
 fn book() -> PathBuf {
