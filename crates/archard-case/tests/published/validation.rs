@@ -10,11 +10,9 @@ use crate::{Expected, read};
 const HEAD: &str = "\
 # Validation
 
-Every case of the repository next to what its source says: closed forms, independent solutions, published values. `cargo test`
-runs all of them and holds each number against its bound, and this page, which `just pages` writes, against the numbers. A line has how
-many numbers a case is held by, and the one that uses most of its bound: its source, how far ours is *off* the source, relative to
-it, and the *bound*, what is allowed for the elements and steps of the case; some are coarse, because their source is. All numbers of a
-case with their sources and bounds stand in its `expected.toml`. What finer grids give stands under [accuracy](accuracy.md).
+Every case of the repository against closed forms, independent solutions and published values: how many numbers hold it, and the one that uses most of its
+bound. *Off* is relative to the source; the *bound* is what elements and steps of the case allow, some coarse because their source is. A star: with options
+of the case changed. `expected.toml` of a case has all numbers, options and sources. `cargo test` runs all; `just pages` writes this page. [Accuracy](accuracy.md) has finer grids.
 
 | case | numbers | uses most of its bound | source | its value | off | bound |
 |---|---|---|---|---|---|---|
@@ -44,8 +42,8 @@ impl Line {
         let place = at.as_ref().or(point.as_ref());
         let place = place.map_or(String::new(), |place| format!(" at {place}"));
         let with = match options.is_empty() {
-            true => String::new(),
-            false => format!(" (`{}`)", options.join("`, `")),
+            true => "",
+            false => " *",
         };
         format!("`{column}`{place}{with} | {source} | {value}")
     }
