@@ -12,7 +12,7 @@ import archard
 ROOT = Path(__file__).parents[2]
 BOOK = ROOT / "book" / "src"
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
-TABLE = re.compile(r"^```csv (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)
+TABLE = re.compile(r"^```(?:csv|toml) (\S+)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 
 #: Pages that show a command, each with its form in Python.
 PAGES = sorted(path for path in BOOK.rglob("*.md") if BLOCK.search(path.read_text("utf-8")))

@@ -36,6 +36,16 @@ fn a_log_leads_to_a_life() {
     }
 }
 
+/// From a log and scans of three tests to a coefficient, and to the depth of the next one.
+#[test]
+fn the_first_lesson_leads_to_a_number() {
+    let dir = TempDir::new().unwrap();
+    assert_eq!(run_page("tutorial.md", dir.path()), 3);
+    for file in ["row_A.csv", "fit/fit.json", "next/summary.json", "band/sweep.csv"] {
+        assert!(dir.path().join(file).is_file(), "{file}");
+    }
+}
+
 /// Runs the commands of a page of the book in a folder, and looks for what it says they print; the number of blocks of commands.
 fn run_page(name: &str, dir: &Path) -> usize {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src").join(name);
@@ -51,7 +61,7 @@ fn run_page(name: &str, dir: &Path) -> usize {
         }
         let (kind, content) = block.split_once('\n').unwrap();
         match kind.split_once(' ') {
-            Some(("csv", name)) => fs::write(dir.join(name), content).unwrap(),
+            Some(("csv" | "toml", name)) => fs::write(dir.join(name), content).unwrap(),
             None if kind == "sh" => {
                 tasks += 1;
                 assert!(content.lines().count() <= MOST, "{content}");
