@@ -110,18 +110,18 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
             None => writeln!(text, "The coefficient of each test is that of the others.\n")?,
         }
         text.push_str(
-            "| test | | measured | predicted | 95 % interval | error | at its own section | |\n|---|---|---|---|---|---|---|---|\n",
+            "| test | measured | predicted | 95 % interval | error | at its own section |\n|---|---|---|---|---|---|\n",
         );
         for own in values {
             let Shown { measured, predicted, interval, error } = Shown::of(own);
             let at_own = |value: f64| percent(value / own.measured - 1.0);
             writeln!(
                 text,
-                "| {} | {} | {measured} | {predicted} | {interval} | {error} | {} | {} |",
+                "| {}, {} | {measured} | {predicted} | {interval}{} | {error} | {} |",
                 own.test,
                 own.quantity,
-                own.at_own_section.map(at_own).unwrap_or_default(),
-                if own.holds() { "inside" } else { "**outside**" }
+                if own.holds() { "" } else { " **outside**" },
+                own.at_own_section.map(at_own).unwrap_or_default()
             )?;
         }
         for doubt in &own.doubts {
