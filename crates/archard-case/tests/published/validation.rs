@@ -12,10 +12,10 @@ const HEAD: &str = "\
 
 Every case of the repository against closed forms, independent solutions and published values: how many numbers hold it, and the one that uses most of its
 bound. *Off* is relative to the source; the *bound* is what elements and steps of the case allow, some coarse because their source is. A star: with options
-of the case changed. `expected.toml` of a case has all numbers, options and sources. `cargo test` runs all; `just pages` writes this page. [Accuracy](accuracy.md) has finer grids.
+of the case changed. `expected.toml` of a case has all numbers, options, values and sources. `cargo test` runs all; `just pages` writes this page. [Accuracy](accuracy.md) has finer grids.
 
-| case | numbers | uses most of its bound | source | its value | off | bound |
-|---|---|---|---|---|---|---|
+| case | numbers | uses most of its bound | source | off | bound |
+|---|---|---|---|---|---|
 ";
 
 /// How much of a difference may change before the page is out of date.
@@ -38,14 +38,14 @@ impl Line {
 
     /// What separates the line from others.
     fn key(&self) -> String {
-        let Expected { column, at, point, options, value, source, .. } = &self.expected;
+        let Expected { column, at, point, options, source, .. } = &self.expected;
         let place = at.as_ref().or(point.as_ref());
         let place = place.map_or(String::new(), |place| format!(" at {place}"));
         let with = match options.is_empty() {
             true => "",
             false => " *",
         };
-        format!("`{column}`{place}{with} | {source} | {value}")
+        format!("`{column}`{place}{with} | {source}")
     }
 
     fn text(&self) -> String {
