@@ -15,25 +15,7 @@ const HEAD: &str = "# Measured wear
 
 Each test is predicted by the coefficient of the other tests of its set, or by that of its authors; the error is the prediction less the measured value, after ASME
 V&V 20. The 95 % interval has the scatter of the tests, the uncertainty of the measured value and that of the numbers in it. Depths and widths at
-the test's own section judge the shape alone. `archard validate FOLDER -o PAGE` makes this page.
-";
-const TAIL: &str = "## A set of one's own
-
-A folder with a case, a table of tests as `archard fit` reads it, and `set.toml`:
-
-```toml
-title = \"What was tested\"
-source = \"Where it was published\"
-licence = \"Under which terms it is copied\"
-read = \"What was read, and how well\"
-case = \"case.toml\"              # if it is another
-tests = \"tests.csv\"             # if it is another
-assume = [\"body.ring.wear.archard.coefficient\"]     # if no test determines it
-
-[coefficient]                   # without it tests are predicted by the others
-source = \"Who found the coefficient of the case\"
-uncertainty = 0.1               # standard, relative
-```
+the test's own section judge the shape alone. `archard validate FOLDER -o PAGE` makes this page; `validation/README.md` says how to add a set.
 ";
 
 /// Predicts the tests of sets, and writes a page of them if a file is named.
@@ -63,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             serde_json::json!({ "program": "archard", "version": env!("CARGO_PKG_VERSION"), "sets": sets })
         ))?;
     }
-    let text = format!("{HEAD}\n{}{TAIL}", in_markdown(&all));
+    let text = format!("{HEAD}\n{}\n", in_markdown(&all).trim_end());
     page.map_or(Ok(()), |page| page.write(text.as_bytes())).map_err(wrong)
 }
 
