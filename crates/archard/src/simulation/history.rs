@@ -184,25 +184,21 @@ pub const COLUMNS: &[Column] = &[
         "pressure at the centre of the frame",
         |r, _| Some(r.problem.frame.at_centre(&r.state.pressure) - r.effort.centre_lag),
     ),
-    column(
-        CONTACT_AREA,
-        "m2",
-        Class::Area,
-        "area in contact, up to the edge between elements",
-        |r, _| Some(r.state.contact_area(r.problem)),
-    ),
+    column(CONTACT_AREA, "m2", Class::Area, "area in contact", |r, _| {
+        Some(r.state.contact_area(r.problem))
+    }),
     column(
         EDGE_ANGLE,
         "deg",
         Class::Area,
-        "angle from the pole to the edge of the contact, by its area; of a ball in a socket, or a shaft in a bush",
+        "angle from the pole to the edge of a contact in a socket or a bush",
         |r, _| edge_angle(r).map(f64::to_degrees),
     ),
     column(
         "contact_spots",
         "",
         Class::Uncertain,
-        "regions in contact, of elements side by side, between rough surfaces",
+        "regions in contact between rough surfaces",
         |r, _| rough(r).map(|r| r.state.spots(r.problem).count as f64),
     ),
     column("largest_spot_m2", "m2", Class::Uncertain, "area of the largest of them", |r, _| {
@@ -215,7 +211,7 @@ pub const COLUMNS: &[Column] = &[
         "rms_height_BODY_m",
         "m",
         Class::Uncertain,
-        "rms height Sq of each body that is rough or wears to be",
+        "rms height Sq of each body that is or wears rough",
         |r, i| uneven(r, i).map(|r| r.problem.spread(r.state, i)[0]),
     ),
     column("rms_gradient_BODY", "", Class::Uncertain, "its rms gradient Sdq", |r, i| {
@@ -227,16 +223,10 @@ pub const COLUMNS: &[Column] = &[
     column(IMPRINT, "m", Class::Depth, "deepest imprint of each body that yields", |r, i| {
         yields(r, i).map(|r| maximum(&r.state.surfaces[i].imprint))
     }),
-    column(
-        IMPRINT_VOLUME,
-        "m3",
-        Class::Volume,
-        "volume of the imprint of each body that yields",
-        |r, i| {
-            let volume = |r: &Report<'_>| r.problem.frame.integrate(&r.state.surfaces[i].imprint);
-            yields(r, i).map(volume)
-        },
-    ),
+    column(IMPRINT_VOLUME, "m3", Class::Volume, "volume of that imprint", |r, i| {
+        let volume = |r: &Report<'_>| r.problem.frame.integrate(&r.state.surfaces[i].imprint);
+        yields(r, i).map(volume)
+    }),
     column(
         WORN_VOLUME,
         "m3",
@@ -255,21 +245,21 @@ pub const COLUMNS: &[Column] = &[
         LAYER_VOLUME,
         "m3",
         Class::Volume,
-        "the part of it that was worn off the layers of a body that has some",
+        "the part of it that was worn off layers",
         layer_volume,
     ),
     column(
         EXPOSED_AREA,
         "m2",
         Class::Count,
-        "area where the layers of a body are worn off, of the whole track; not in rolling",
+        "area of the whole track where layers are worn off; not in rolling",
         exposed_area,
     ),
     column(
         MASS_LOSS,
         "kg",
         Class::Volume,
-        "mass worn off each body whose density is given; not in rolling",
+        "its mass, where the density is given; not in rolling",
         mass_loss,
     ),
     column(BODY_DEPTH, "m", Class::Depth, "deepest wear of each body", |r, i| {
@@ -307,13 +297,9 @@ pub const COLUMNS: &[Column] = &[
         "creepage in rolling, positive where body 1 is faster",
         |r, _| rolling(r, |own, _| own.creepage[0]),
     ),
-    column(
-        CREEPAGE[1],
-        "",
-        Class::Shift,
-        "creepage across the direction of rolling, signed likewise",
-        |r, _| rolling(r, |own, _| own.creepage[1]),
-    ),
+    column(CREEPAGE[1], "", Class::Shift, "creepage across the direction of rolling", |r, _| {
+        rolling(r, |own, _| own.creepage[1])
+    }),
     column(
         CYCLE,
         "",
@@ -324,13 +310,13 @@ pub const COLUMNS: &[Column] = &[
     column(SHIFT[0], "m", Class::Shift, "displacement of body 2 over body 1 along x", |r, _| {
         shifted(r).and(friction(r, |own| own.shift[0]))
     }),
-    column(SHIFT[1], "m", Class::Shift, "displacement of body 2 over body 1 along y", |r, _| {
+    column(SHIFT[1], "m", Class::Shift, "the same along y", |r, _| {
         shifted(r).and(friction(r, |own| own.shift[1]))
     }),
     column(FORCE[0], "N", Class::Force, "force on body 1 along x", |r, _| {
         friction(r, |own| force(r, own)[0])
     }),
-    column(FORCE[1], "N", Class::Force, "force on body 1 along y", |r, _| {
+    column(FORCE[1], "N", Class::Force, "the same along y", |r, _| {
         friction(r, |own| force(r, own)[1])
     }),
     column(
@@ -354,7 +340,7 @@ pub const COLUMNS: &[Column] = &[
         FLASH_TEMPERATURE,
         "K",
         Class::Peak,
-        "largest rise of the surfaces' temperature by friction, where the bodies have `thermal` data",
+        "largest rise of the surfaces' temperature by friction",
         |r, _| Some(maximum(&r.problem.flash(r.state)?.rise)),
     ),
     column(
@@ -372,16 +358,10 @@ pub const COLUMNS: &[Column] = &[
             Some(if whole > 0.0 { sum / whole } else { 0.0 })
         },
     ),
-    column(
-        DISSIPATED,
-        "J",
-        Class::Force,
-        "energy that friction dissipated in the cycle so far",
-        |r, _| {
-            let swings = r.problem.motion.amplitude().is_some() && r.problem.friction.is_some();
-            (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
-        },
-    ),
+    column(DISSIPATED, "J", Class::Force, "energy dissipated in the cycle so far", |r, _| {
+        let swings = r.problem.motion.amplitude().is_some() && r.problem.friction.is_some();
+        (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
+    }),
     column(
         "true_cycles",
         "",
