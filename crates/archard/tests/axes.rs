@@ -27,9 +27,11 @@ fn rolled(
     places: &[f64],
 ) -> (f64, Vec<f64>) {
     let rolling = Rolling::along(Direction::X).longitudinal(Drive::Force(0.0)).about(axes);
+    let line = bodies.iter().all(|body| body.curvatures().is_some_and(|both| both[1] == 0.0));
     let mut builder = Contact::rolling(bodies, rolling, Control::Load(load)).unwrap();
     builder.friction = Some(Arc::new(Coulomb::new(0.1).unwrap()));
-    let contact = builder.frame(size, elements).solve().unwrap();
+    let builder = if line { builder.strips(size, elements) } else { builder.frame(size, elements) };
+    let contact = builder.solve().unwrap();
     let problem = contact.problem();
     let drives = problem.motion.driven(0.0).unwrap();
     let power = contact.state().tangential.as_ref().unwrap().creep_power(problem, &drives);
@@ -82,5 +84,34 @@ fn a_ball_in_a_groove_creeps_as_its_shape_says() {
     // Strips know nothing of what their neighbours pull: where slip changes its direction, depths differ most.
     for (depth, known) in depths.into_iter().zip(known) {
         assert!((1e12 * depth - known).abs() < 2e-2 * 0.173129, "{depth} for {known}");
+    }
+}
+
+/// A cylinder on a washer, each strip of which is one of Carter's: the creepage at a place y is y over the radius of the track. Away from
+/// the middle all of a strip slips, and wears by k F' y/R a passage.
+#[test]
+fn a_cylinder_on_a_washer_is_strips_of_carters() {
+    for (r, track, length, load) in [(5.5e-3, 38.75e-3, 11e-3, 1000.0), (4e-3, 30e-3, 8e-3, 600.0)]
+    {
+        let bodies = [body("roller", Disc::new(r).unwrap()), body("washer", Flat)];
+        let axes = [
+            Axis { radius: r, tilt: 0.0 },
+            Axis { radius: track, tilt: std::f64::consts::FRAC_PI_2 },
+        ];
+        let (k, mu, modulus): (f64, f64, f64) = (1e-16, 0.1, 206e9 / (2.0 * (1.0 - 0.09)));
+        let per_length = load / length;
+        let half_width = (4.0 * per_length * r / (std::f64::consts::PI * modulus)).sqrt();
+        let saturation = mu * half_width / r;
+        // The creepage at the end of the line over that of full slip, below which a strip dissipates t^2 (2 - t).
+        let most = 0.5 * length / track / saturation;
+        let shared = 5.0 / 12.0 + 0.5 * (most * most - 1.0);
+        let dissipated = 2.0 * mu * per_length * saturation * saturation * track * shared;
+        let places = [-0.75, 0.25, 0.5, 0.75].map(|share: f64| share * 0.5 * length);
+        let frame = ([4.0 * half_width, length], [64, 40]);
+        let (power, depths) = rolled(bodies, load, axes, frame, &places);
+        near(power, dissipated, 3e-3);
+        for (depth, y) in depths.into_iter().zip(places) {
+            near(depth, k * per_length * y.abs() / track, 1e-3);
+        }
     }
 }

@@ -368,7 +368,7 @@ impl Case {
         let (rectangle, elements) = (frame.rectangle(), frame.elements);
         let builder = match frame.line {
             _ if self.is_meshed() => builder,
-            true => builder.line(rectangle, elements[0]),
+            true => builder.strips(rectangle, elements),
             false => builder.frame(rectangle, elements),
         };
         let builder = if frame.periodic { builder.periodic() } else { builder };

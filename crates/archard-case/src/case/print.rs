@@ -63,7 +63,10 @@ impl Display for Case {
             }
             if line {
                 writeln!(f, "frame.plane_strain = true\nframe.length = {y}")?;
-                writeln!(f, "frame.size = {x}\nframe.elements = {}\n", elements[0])?;
+                match elements {
+                    [along, 1] => writeln!(f, "frame.size = {x}\nframe.elements = {along}\n")?,
+                    _ => writeln!(f, "frame.size = {x}\nframe.elements = {elements:?}\n")?,
+                }
             } else {
                 writeln!(f, "frame.size = [{x}, {y}]\nframe.elements = {elements:?}")?;
                 if !self.doubles.is_empty() {

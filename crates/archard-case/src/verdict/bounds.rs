@@ -372,6 +372,13 @@ pub fn apart(ratio: f64) -> Line {
     Line::new("apart", ratio, Bound::AtMost([1.0, f64::INFINITY]), text)
 }
 
+/// What strips along a line of contact neglect of the load of one, over the mean, where they press on one another: so much of the depth
+/// worn there, under the bounds of a [history](gathered).
+pub fn strips(neglected: f64) -> Line {
+    let text = "of the load of a strip is what the others would add to it, which strips in plane strain neglect: a crowned roller, or a frame without `length`, has all of it";
+    Line::new("strips", neglected, Bound::AtMost([0.05, 0.3]), text)
+}
+
 /// What a user is warned of, in its first line: never good.
 pub fn warned(warning: &str) -> Line {
     let text = warning.lines().next().unwrap_or_default();

@@ -15,7 +15,7 @@ pub use bounds::{
     first_contact, flanks, form, friction, gathered, hardness, heat, image, layers, length, load,
     measured, mesh, missing, modulus, nadal, next_test, of_run, radius, reshaped, roughness,
     settled, shakedown, shaken, shape, shared, shear_yield, side, slenderness, slope, stated,
-    stations, stick_zone, temperature, time, tip, touch, volume, warned, worn, yields,
+    stations, stick_zone, strips, temperature, time, tip, touch, volume, warned, worn, yields,
 };
 pub use line::{Bound, Line, Word, four};
 pub use warning::Warning;

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 48] = [
+const GOOD: [(&str, &str, Number); 49] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -64,6 +64,7 @@ const GOOD: [(&str, &str, Number); 48] = [
     ("stations", "{} {text}", Number::Share),
     ("apart", "the contact moves by {} of its width where stations are left out", Number::Share),
     ("worn shape", "worn shapes change the deepest wear by {}", Number::Share),
+    ("strips", "strips neglect {} of the load of one", Number::Share),
     ("mesh", "displacements known to {} with these tetrahedra", Number::Share),
 ];
 
@@ -260,6 +261,7 @@ mod tests {
             verdict::gathered(0.01),
             verdict::stations(0.01, [100, 1000], 1e-6),
             verdict::apart(0.1),
+            verdict::strips(0.01),
             verdict::reshaped(0.01, "cam"),
             verdict::yields(0.5, "flat"),
             verdict::shared(1e-3),

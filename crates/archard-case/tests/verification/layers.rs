@@ -128,7 +128,7 @@ fn layers_of_the_same_material_change_nothing() {
     let steel = Material::new(210e9, 0.3).unwrap();
     let layers = [1e-6, 3e-5, 2e-4].map(|thickness| Layer::new(steel, thickness).unwrap());
     let area = ContactFrame::uniform([1e-3; 2], [24; 2], [&Flat, &Flat]).unwrap();
-    let line = ContactFrame::line([1e-3, 1.0], 24, [&Flat, &Flat]).unwrap();
+    let line = ContactFrame::line([1e-3, 1.0], [24, 1], [&Flat, &Flat]).unwrap();
     let bases = [Some(&steel), None];
     for (frame, plain, layered) in [
         (&area, HalfSpace::new(bases, &area), HalfSpace::layered(bases, [&layers, &[]], &area)),

@@ -76,7 +76,7 @@ fn a_long_row_comes_to_the_same() {
     let width = 0.6e-3;
     let profiles: [&dyn archard::body::Profile; 2] = [&Cylinder::along_y(40e-3).unwrap(), &Flat];
     let materials = [Some(&STEEL), Some(&ALUMINIUM)];
-    let line = ContactFrame::line([width, 1.0], 30, profiles).unwrap();
+    let line = ContactFrame::line([width, 1.0], [30, 1], profiles).unwrap();
     let row = ContactFrame::uniform([width, 10.0], [30, 1], profiles).unwrap();
     let strips = HalfSpace::plane_strain(materials, [&[]; 2], [1.0; 2], &line);
     let rectangles = HalfSpace::new(materials, &row);

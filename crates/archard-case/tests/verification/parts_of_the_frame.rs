@@ -293,7 +293,7 @@ fn what_is_beside_a_part_is_known_in_proportion_to_the_elements() {
 /// No displacement is below its bound, and far away the bound is nearly reached; on a line, where bodies may even rise, too.
 #[test]
 fn displacements_are_not_below_their_bound() {
-    let line = ContactFrame::line([SIDE, 1e-3], 64, [&Flat, &Flat]).unwrap();
+    let line = ContactFrame::line([SIDE, 1e-3], [64, 1], [&Flat, &Flat]).unwrap();
     for (frame, compliance) in [
         (frame(), half_space(&frame())),
         (line.clone(), HalfSpace::plane_strain([Some(&STEEL); 2], [&[]; 2], [2e-4; 2], &line)),

@@ -11,7 +11,7 @@ pub const MOST: usize = 1 << 12;
 /// How finely a run is divided.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
-    /// Elements along x and y; one along y on a line of contact.
+    /// Elements along x and y; the strips of a line of contact along y.
     pub elements: [usize; 2],
     /// Whether finer elements may be taken; their error is stated where not.
     pub refines: bool,
@@ -106,7 +106,8 @@ impl Grid {
 
 /// Axes along which a frame is divided.
 pub(super) fn axes(own: &Simulation) -> usize {
-    if own.problem.frame.is_line() { 1 } else { 2 }
+    let frame = &own.problem.frame;
+    if frame.is_line() && frame.elements()[1] == 1 { 1 } else { 2 }
 }
 
 /// The number of elements next to some number that is even or odd as another is.

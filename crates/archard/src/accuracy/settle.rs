@@ -257,7 +257,7 @@ impl Search<'_, '_> {
         if across < UNWORN * (1.0 - SAME) {
             return Err(Unsettled::TooFew(across));
         }
-        let set = if own.problem.frame.is_line() { OF_LINES } else { COARSER };
+        let set = if axes(&own) == 1 { OF_LINES } else { COARSER };
         let first = &self.grid.clone();
         let coarser = |(ratio, moved)| first.coarser(&own, ratio, moved);
         let mut left = VecDeque::from(set.map(coarser));

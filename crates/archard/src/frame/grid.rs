@@ -9,7 +9,7 @@ pub(super) struct Grid {
     pub rectangle: Rectangle,
     /// Number of elements along x and y.
     pub elements: [usize; 2],
-    /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
+    /// Whether the strain is plane, in each row of elements along x by itself.
     pub line: bool,
     /// Whether all pairs may touch.
     pub closed: bool,

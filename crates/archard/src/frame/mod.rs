@@ -96,17 +96,18 @@ impl ContactFrame {
         Self::on(Grid { wrap, ..Grid::on(rectangle, elements, false) }, profiles)
     }
 
-    /// A line of contact along y: that many elements over the width along x of a rectangle (as in [`Self::uniform`]), in
-    /// plane strain; forces and volumes are those of its length along y.
+    /// A line of contact along y in plane strain: that many elements over the width along x of a rectangle (as in
+    /// [`Self::uniform`]), and that many strips along its length, each in plane strain by itself. Forces and volumes are those
+    /// of its length along y.
     ///
     /// # Errors
     /// If a profile has no surface at some pair.
     pub fn line(
         rectangle: impl Into<Rectangle>,
-        elements: usize,
+        elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        let (rectangle, elements) = (rectangle.into(), [elements, 1]);
+        let rectangle = rectangle.into();
         let wrap = Wrap::of(profiles).filter(|wrap| wrap.round == Round::Cylinder);
         Self::on(Grid { wrap, ..Grid::on(rectangle, elements, true) }, profiles)
     }

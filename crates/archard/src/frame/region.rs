@@ -169,7 +169,7 @@ mod tests {
     /// On a line of contact the ends are where they cross.
     #[test]
     fn a_line_ends_where_it_is_crossed() {
-        let frame = ContactFrame::line([1.0, 0.3], 10, [&Flat, &Flat]).unwrap();
+        let frame = ContactFrame::line([1.0, 0.3], [10, 1], [&Flat, &Flat]).unwrap();
         let width = frame.area_up_to(|pair| (3..6).contains(&pair), |_, to| 0.1 * to as f64);
         assert_relative_eq!(width, 0.3 * 0.1 * (2.0 + 0.2 + 0.6), max_relative = 1e-12);
     }

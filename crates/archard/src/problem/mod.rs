@@ -7,6 +7,7 @@ mod gap;
 mod grip;
 mod heat;
 mod rough;
+mod strips;
 mod surface;
 
 pub(crate) use edge::GROWS;

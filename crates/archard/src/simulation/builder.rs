@@ -56,8 +56,8 @@ enum Touch {
     Meshed,
     /// On a uniform frame over that rectangle, of so many elements, as half-spaces.
     Frame(Rectangle, [usize; 2]),
-    /// Along a line, in plane strain: over that rectangle, of so many elements along x.
-    Line(Rectangle, usize),
+    /// Along a line, in plane strain: over that rectangle, of so many elements along x in each of so many strips along y.
+    Line(Rectangle, [usize; 2]),
     /// As given.
     Given(ContactFrame, Arc<dyn Compliance>),
 }
@@ -100,6 +100,13 @@ impl Builder {
     /// into so many elements. Loads, forces and volumes are those of its length along y.
     #[must_use]
     pub fn line(self, rectangle: impl Into<Rectangle>, elements: usize) -> Self {
+        self.strips(rectangle, [elements, 1])
+    }
+
+    /// A [line](Self::line) in so many strips along its length, for bodies that creep differently along it: that many elements
+    /// along x, and strips along y. Each is in plane strain by itself: strips share the approach, and nothing else.
+    #[must_use]
+    pub fn strips(self, rectangle: impl Into<Rectangle>, elements: [usize; 2]) -> Self {
         Self { contact: Touch::Line(rectangle.into(), elements), ..self }
     }
 
@@ -113,8 +120,7 @@ impl Builder {
     /// The elements of the frame or the line; `None` where the pairs are given or those of a mesh.
     pub(crate) fn elements(&self) -> Option<[usize; 2]> {
         match self.contact {
-            Touch::Frame(_, elements) => Some(elements),
-            Touch::Line(_, elements) => Some([elements, 1]),
+            Touch::Frame(_, elements) | Touch::Line(_, elements) => Some(elements),
             Touch::Meshed | Touch::Given(..) => None,
         }
     }
@@ -127,7 +133,7 @@ impl Builder {
         };
         let contact = match self.contact {
             Touch::Frame(rectangle, _) => Touch::Frame(moved(rectangle), elements),
-            Touch::Line(rectangle, _) => Touch::Line(moved(rectangle), elements[0]),
+            Touch::Line(rectangle, _) => Touch::Line(moved(rectangle), elements),
             given => given,
         };
         Self { contact, ..self }
@@ -333,7 +339,7 @@ impl Builder {
             }
             Touch::Line(rectangle, elements) => {
                 admit(rectangle)?;
-                ELEMENTS.admit(*elements as f64)?;
+                elements.iter().try_for_each(|&count| ELEMENTS.admit(count as f64).map(|_| ()))?;
                 self.bodies.iter().try_for_each(|body| line_of_contact(body, rectangle))
             }
             Touch::Meshed if !meshed => wrong(

@@ -326,6 +326,9 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     if motion.table().is_some() && frame.is_line() && motion.crosses()[1] {
         return refusal("the line of contact lies along y: offsets change along x", "");
     }
+    if let Some(refused) = of_strips(motion, frame.is_line().then(|| frame.elements()[1])) {
+        return Some(refused);
+    }
     if !motion.surfaces.iter().any(Passage::passes) {
         return None;
     }
@@ -342,6 +345,26 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
             refusal("a track needs pairs in rows along it", help)
         }
         Ok(_) => None,
+    }
+}
+
+/// Strips along a line of contact, where there is one, that the motion does not ask for; or a motion that asks for them.
+pub fn of_strips(motion: &Motion, strips: Option<usize>) -> Option<Refusal> {
+    let uneven = matches!(&motion.slip, Slip::Sought(drives) if !drives.is_even());
+    match strips {
+        Some(1) if uneven => {
+            let what = "bodies that spin, or turn about such axes, slip differently all along a line of contact";
+            let help =
+                "divide it into strips: `elements = [60, 40]`, the second number along the line";
+            Some(Refusal::new(Part::Motion, what, help))
+        }
+        Some(2..) if !uneven => {
+            let what =
+                "has strips along the line of contact, and all of them would go through the same";
+            let help = "give the number of elements along x alone; strips are for `spin`, `axis_one` and `axis_two`";
+            Some(Refusal::new(Part::Frame, what, help))
+        }
+        _ => None,
     }
 }
 

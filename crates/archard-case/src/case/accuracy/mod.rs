@@ -225,9 +225,6 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     if asked[0] > 0.0 {
         frame.count();
     }
-    if frame.line {
-        frame.elements[1] = 1;
-    }
     let one = Frame { frame, doubles: vec![], found };
     let all = chose.size && chose.elements;
     let wider = all.then(|| wider::widening(&parts, &one, element, across)).flatten();

@@ -81,6 +81,8 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             Some("repeats itself with the frame: displacements and stresses at single places are not computed, the largest are: `output.stress`")
         } else if case.frame.periodic && !halves(case.frame.elements) {
             Some("repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis")
+        } else if case.frame.line && case.frame.elements[1] > 1 {
+            Some("touches along a line in strips, each in plane strain by itself: stresses are computed of a line without strips")
         } else if table {
             Some("slides in another direction at each station of the table: with friction, stresses in it are not computed")
         } else {

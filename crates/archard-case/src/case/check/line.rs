@@ -5,6 +5,7 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::motion::Lever;
 use archard::simulation::line_of_contact;
+use archard::simulation::refusal::of_strips;
 
 /// What is wrong with a line of contact; or with what says that there is one.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
@@ -28,7 +29,7 @@ fn not_a_line(key: Key) -> Problem {
     Problem::error(key, message).help("`frame.plane_strain = true` makes the frame one")
 }
 
-/// Rolling or swinging along the line, or spin, which slips differently all along it.
+/// Rolling or swinging along the line, or strips along it that the motion has no need of, or needs.
 fn across(parts: &Parts<'_>) -> Option<Problem> {
     let along_the_line = parts.motion.direction.axis == 1;
     if parts.motion.amplitude().is_some() && along_the_line {
@@ -45,13 +46,12 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
         let key = Key::of(["motion", parts.case.motion.choice.name]);
         return Some(Problem::error(key, message).at_name());
     }
-    let drives = parts.motion.driven(parts.schedule.extent)?;
-    let (name, message) = if along_the_line {
-        ("direction", "the line of contact lies along y: bodies roll along x")
-    } else if drives.spin != 0.0 {
-        ("spin", "the slip of bodies that spin is not the same all along a line of contact")
-    } else {
-        return None;
-    };
-    Some(Problem::error(Key::of(["motion", parts.case.motion.choice.name, name]), message))
+    let drives = parts.motion.driven(parts.schedule.extent);
+    if drives.is_some() && along_the_line {
+        let message = "the line of contact lies along y: bodies roll along x";
+        let key = Key::of(["motion", parts.case.motion.choice.name, "direction"]);
+        return Some(Problem::error(key, message));
+    }
+    let strips = parts.case.frame.elements[1];
+    parts.refused(of_strips(&parts.motion_of_bodies(), Some(strips))?)
 }

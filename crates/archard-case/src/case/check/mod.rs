@@ -178,6 +178,11 @@ impl<'a> Parts<'a> {
         Some(if at_name { problem.at_name() } else { problem })
     }
 
+    /// The motion of these bodies, with what follows from their axes and shapes.
+    pub(super) fn motion_of_bodies(&self) -> Motion {
+        self.motion.clone().of_bodies(&self.bodies)
+    }
+
     /// What does not fit bodies that fit into each other, and keeps them from being pressed together.
     pub(super) fn unfit(&self) -> Option<Problem> {
         let kind = Kind { line: self.case.frame.line, closed: self.case.frame.periodic };

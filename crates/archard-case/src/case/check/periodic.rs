@@ -18,7 +18,7 @@ pub(super) fn problem(parts: &Parts<'_>) -> Option<Problem> {
     }
     let frame = match (case.periodic, case.line) {
         (false, _) => return None,
-        (_, true) => ContactFrame::line(rectangle, elements[0], profiles),
+        (_, true) => ContactFrame::line(rectangle, elements, profiles),
         (_, false) => ContactFrame::uniform(rectangle, elements, profiles),
     };
     // A profile that does not reach over the frame is told elsewhere.

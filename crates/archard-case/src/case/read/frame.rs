@@ -5,7 +5,7 @@ use crate::case::definition::{BodyCase, FrameCase, MOST};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Line, Reader, Section};
-use crate::case::tree::{Item, Node};
+use crate::case::tree::{Entry, Item, Node};
 use archard::body::Profile;
 use archard::motion::Planned;
 use archard::parameters::Quantity;
@@ -227,19 +227,33 @@ impl Reader<'_> {
             ),
         };
         let elements = match section.get("elements") {
-            None if chosen || section.get("element").is_some() => Some(0),
-            _ => self.along_x(
-                section,
-                "elements",
-                "the number of elements along x, `240`",
-                "of a line of contact there is one element across: give their number along x alone",
-                |reader, key, node| reader.count(key, node),
-            ),
+            None if chosen || section.get("element").is_some() => Some([0, 1]),
+            _ => self.in_strips(section),
         };
-        let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
-        let (centre, size, elements) = ([centre?, 0.0], [size?, length], [elements?, 1]);
+        let elements = elements.filter(|&elements| self.not_too_many(section, elements));
+        let (centre, size, elements) = ([centre?, 0.0], [size?, length], elements?);
         let none = FrameCase::to_be_chosen();
         Some(FrameCase { centre, size, elements, line: true, ..none })
+    }
+
+    /// The number of elements of a line of contact along x and, where there are strips, that of these along it.
+    fn in_strips(&mut self, section: &Section<'_>) -> Option<[usize; 2]> {
+        let list =
+            |entry: &Entry| matches!(&entry.node.item, Item::Array(values) if values.len() == 2);
+        let meaning = "the number of elements along x, `240`";
+        if section.get("elements").is_some_and(|(_, entry)| list(entry)) {
+            let elements = self
+                .pair(section, "elements", meaning, |reader, key, node| reader.count(key, node))?;
+            if elements[1] > 1 && self.line.is_none_or(|line| line.length.is_none()) {
+                let message = "strips lie along the `length` of the line, which is not given";
+                self.push(Problem::error(section.key.child("elements"), message));
+                return None;
+            }
+            return Some(elements);
+        }
+        let two = "of a line of contact: the number of elements along x and, where it has strips, that of strips along y";
+        let count = |reader: &mut Self, key, node: &Node| reader.count(key, node);
+        Some([self.along_x(section, "elements", meaning, two, count)?, 1])
     }
 
     /// A value along x, by itself or in a list.
@@ -255,13 +269,9 @@ impl Reader<'_> {
             self.missing(section.key.child(name), meaning);
             return None;
         };
-        let one = |node: &Node| matches!(&node.item, Item::Number { value, .. } if *value == 1.0);
         match &entry.node.item {
             Item::Array(values) => match &values[..] {
                 [value] => read(self, key.index(0), value),
-                [value, across] if name == "elements" && one(across) => {
-                    read(self, key.index(0), value)
-                }
                 _ => {
                     self.push(Problem::error(key, two));
                     None

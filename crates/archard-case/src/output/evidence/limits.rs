@@ -34,6 +34,8 @@ pub(super) struct Limits {
     side: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
+    /// What strips along it neglect of the load of one.
+    strips: Option<f64>,
     /// The warmest place (K).
     temperature: Option<f64>,
     /// Creepage, regardless of its direction.
@@ -64,6 +66,7 @@ impl Limits {
             self.take_extent(problem, extent);
         }
         worst(&mut self.side, side(problem, &state.pressure));
+        worst(&mut self.strips, problem.strips_neglect(&state.pressure));
         let warmest = flash.map(|flash| {
             let rise = flash.rise.iter().copied().fold(0.0, f64::max);
             flash.bulk.unwrap_or_default() + rise
@@ -118,6 +121,7 @@ impl Limits {
             self.clearance.map(verdict::clearance),
             self.side.map(verdict::side),
             self.length.map(verdict::length),
+            self.strips.map(verdict::strips),
             self.temperature.map(verdict::temperature),
             self.creepage.map(verdict::creepage),
             self.friction.map(verdict::friction),

@@ -9,8 +9,9 @@
 //! A_xy = S2 [Fxy]        A_xn = S3 [Fxn]         A_nx = -A_xn
 //! ```
 //!
-//! In plane strain (Johnson, sections 2.2 to 2.4 and 5.6) elements are strips without end. With F = x ln|x| - x, [F] its
-//! difference over the edges, h the width and d how far below the contact displacements are measured from,
+//! In plane strain (Johnson, sections 2.2 to 2.4 and 5.6) elements are strips without end, and rows of them, one a slice of the
+//! bodies, do not act on one another. With F = x ln|x| - x, [F] its difference over the edges, h the width and d how far below
+//! the contact displacements are measured from,
 //!
 //! ```text
 //! A_nn = sum (1 - nu^2)/(pi E) {-2 [F] + h (2 ln d - 1/(1 - nu))}   A_xn = S3 pi [|x|]
@@ -81,13 +82,13 @@ impl Influence {
         Self { images: images.into(), ..self }
     }
 
-    /// Strips that long along x (m), without end along y, on bodies of these depths (m). Their displacements far away are those
-    /// of half-spaces of other materials, `bases`, where there are layers.
+    /// Strips of that width along x (m), without end along y, on bodies of these depths (m). Their displacements far away are
+    /// those of half-spaces of other materials, `bases`, where there are layers.
     pub(super) fn plane_strain(
         constants: Constants,
         bases: [Option<&Material>; 2],
         depths: [f64; 2],
-        strips: usize,
+        elements: [usize; 2],
         width: f64,
     ) -> Self {
         let mut added = [0.0; 3];
@@ -98,7 +99,7 @@ impl Influence {
             added[1] += normal * (ln + 1.0 / (1.0 - poisson));
             added[2] += (1.0 + poisson) / (PI * young) * ln;
         }
-        let strips = Self::new(constants, [strips, 1], [width; 2]);
+        let strips = Self::new(constants, elements, [width; 2]);
         Self { depths: Some(added), ..strips }
     }
 
@@ -116,11 +117,16 @@ impl Influence {
             let images = self.images.iter().map(|image| image.scalars[scalar] * image.strip(x));
             images.sum::<f64>() - factor * (x * x.abs().ln() - x)
         };
-        let strip = |i: usize| {
-            let x = 2.0 * a * i as f64;
-            2.0 * a * added + antiderivative(x + a) - antiderivative(x - a)
-        };
-        (0..self.elements[0]).map(strip).collect()
+        self.own_row(|x| 2.0 * a * added + antiderivative(x + a) - antiderivative(x - a))
+    }
+
+    /// Values at the offsets along x (m) of a row; none at those of other rows.
+    fn own_row(&self, value: impl Fn(f64) -> f64) -> Vec<f64> {
+        let [along, rows] = self.elements;
+        let width = 2.0 * self.half[0];
+        let mut values: Vec<f64> = (0..along).map(|i| value(width * i as f64)).collect();
+        values.resize(along * rows, 0.0);
+        values
     }
 
     pub(super) fn elements(&self) -> [usize; 2] {
@@ -205,6 +211,7 @@ impl Influence {
         let [x, y] = [0, 1].map(|axis| self.half[axis] * (2 * away[axis] + 1) as f64);
         let [a, b] = self.half;
         match self.depths {
+            Some(_) if away[1] > 0 => 0.0,
             Some([added, ..]) => 2.0 * a * (added - 2.0 * normal * x.ln()),
             None => 4.0 * a * b * normal / x.hypot(y),
         }
@@ -238,7 +245,7 @@ impl Influence {
     pub(super) fn xy(&self) -> Vec<f64> {
         let tangential = self.constants.tangential;
         if self.depths.is_some() {
-            return vec![0.0; self.elements[0]];
+            return self.own_row(|_| 0.0);
         }
         self.differences([1.0, 1.0], |corner| {
             let images = self.images.iter().map(|image| image.aslant(corner));
@@ -255,11 +262,7 @@ impl Influence {
                 let images = self.images.iter().map(|image| image.scalars[1] * image.pull(x));
                 PI * coupling * x.abs() + images.sum::<f64>()
             };
-            let strip = |i: usize| {
-                let x = 2.0 * a * i as f64;
-                antiderivative(x + a) - antiderivative(x - a)
-            };
-            return (0..self.elements[0]).map(strip).collect();
+            return self.own_row(|x| antiderivative(x + a) - antiderivative(x - a));
         }
         self.differences([1.0, -1.0], |c| {
             let images = self.images.iter().map(|image| image.scalars[1] * image.coupling(c));
@@ -271,7 +274,7 @@ impl Influence {
     pub(super) fn yn(&self) -> Vec<f64> {
         let coupling = self.constants.coupling;
         if self.depths.is_some() {
-            return vec![0.0; self.elements[0]];
+            return self.own_row(|_| 0.0);
         }
         self.differences([-1.0, 1.0], |c| {
             let images = self.images.iter();

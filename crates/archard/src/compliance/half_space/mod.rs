@@ -85,9 +85,9 @@ impl HalfSpace {
         depths: [f64; 2],
         frame: &ContactFrame,
     ) -> Self {
-        let (strips, width) = (frame.elements()[0], frame.spacing()[0]);
+        let (elements, width) = (frame.elements(), frame.spacing()[0]);
         let constants = Constants::of(uppermost(materials, layers));
-        let influence = Influence::plane_strain(constants, materials, depths, strips, width);
+        let influence = Influence::plane_strain(constants, materials, depths, elements, width);
         Self::on(influence.layered(images(materials, layers, frame.wrap())))
     }
 

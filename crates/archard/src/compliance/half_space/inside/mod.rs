@@ -48,8 +48,8 @@ impl std::fmt::Debug for Below {
 }
 
 impl Below {
-    /// Under tractions (Pa) on the body, along x, y and its outward normal, on a uniform frame; `None` on another one. Under a
-    /// line of contact displacements are measured from that far (m) below it.
+    /// Under tractions (Pa) on the body, along x, y and its outward normal, on a uniform frame; `None` on another one, and under
+    /// strips along a line of contact. Under a line displacements are measured from that far (m) below it.
     pub fn new(
         material: &Material,
         frame: &ContactFrame,
@@ -61,8 +61,8 @@ impl Below {
         let into = tractions.n.iter().map(|normal| -normal).collect();
         let tractions = [tractions.t1.clone(), tractions.t2.clone(), into];
         let depth = frame.is_line().then_some(depth);
-        frame
-            .is_uniform()
+        let strips = frame.is_line() && elements[1] > 1;
+        (frame.is_uniform() && !strips)
             .then(|| Self::on(*material, (elements, spacing, corner), tractions, depth))
     }
 

@@ -78,7 +78,7 @@ fn the_surface_bears_the_tractions_and_displacements_are_those_of_the_compliance
         let size = [nx, ny].map(|n| n as f64 * below.spacing[0]);
         let frame = match line {
             None => ContactFrame::uniform(size, [nx, ny], [&Flat, &Flat]).unwrap(),
-            Some(_) => ContactFrame::line(size, nx, [&Flat, &Flat]).unwrap(),
+            Some(_) => ContactFrame::line(size, [nx, 1], [&Flat, &Flat]).unwrap(),
         };
         let [t1, t2, into] = below.tractions.clone();
         let n = into.iter().map(|value| -value).collect();
