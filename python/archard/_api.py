@@ -4,6 +4,7 @@ from archard import cams, gears, rail
 from archard._archard import __version__
 from archard._compare import Comparison
 from archard._contact import Contact, contact
+from archard._difference import Difference, Uncertain, difference
 from archard._errors import (
     ArchardWarning,
     CaseError,
@@ -36,6 +37,7 @@ __all__ = [
     "Compared",
     "Comparison",
     "Contact",
+    "Difference",
     "Exponent",
     "Fit",
     "Forecast",
@@ -53,6 +55,7 @@ __all__ = [
     "Surface",
     "Sweep",
     "Table",
+    "Uncertain",
     "Validated",
     "Verdict",
     "WrongResult",
@@ -60,6 +63,7 @@ __all__ = [
     "cams",
     "cases",
     "contact",
+    "difference",
     "fit",
     "gears",
     "rail",

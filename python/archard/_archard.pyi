@@ -27,6 +27,7 @@ __all__ = [
     "read_fields",
     "read_log",
     "read_surface",
+    "scan_difference",
     "solve_contact",
     "solve_elastic",
     "validate",
@@ -130,6 +131,9 @@ def read_log(
 def read_surface(
     file: CaseFile,
 ) -> tuple[NDArray[np.float64], tuple[float, float], list[tuple[str, float]]]: ...
+def scan_difference(
+    files: Sequence[CaseFile], names: Sequence[str], options: tuple[str | None, float, bool]
+) -> tuple[list[str], str, NDArray[np.float64], NDArray[np.int8], tuple[float, float]]: ...
 
 _Options = tuple[Sequence[str], str | None, bool, str | PathLike[str]]
 

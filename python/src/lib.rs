@@ -60,7 +60,7 @@ mod _archard {
     #[pymodule_export]
     use super::run::Run;
     #[pymodule_export]
-    use super::surface::read_surface;
+    use super::surface::{read_surface, scan_difference};
     #[pymodule_export]
     use super::validate::validate;
 

@@ -16,7 +16,7 @@ pub fn read_log(py: Python<'_>, file: PathBuf, columns: Pairs, values: Pairs) ->
     let read = py.detach(|| {
         let bytes = files::read(&file, Contents::Numbers)
             .map_err(|error| format!("cannot read `{}`: {error}", file.display()))?;
-        let options = Options { columns, values };
+        let options = Options { columns, values, profile: false };
         Log::read(&file.display().to_string(), &bytes, &options).map_err(|error| error.to_string())
     });
     Ok(read.map_err(PyValueError::new_err)?.json().to_string())

@@ -82,7 +82,8 @@ pub enum Command {
     /// takes off
     #[command(after_help = SURFACE_EXAMPLES)]
     Surface {
-        /// Digital Surf (.sur), SDF (.sdf), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)
+        /// Digital Surf (.sur), SDF (.sdf), X3P (.x3p), Gwyddion (.gwy), NetCDF (.nc), NumPy (.npy), or a matrix of heights (.csv,
+        /// .txt, .asc)
         #[arg(value_hint = ValueHint::FilePath)]
         file: PathBuf,
         /// A key of `profile.surface` and its value

@@ -60,6 +60,8 @@ pub const CASES: &[Builtin] = &[
         include_str!("../cases/twin_disc_accelerated/case.toml"),
     ),
     without_files("roller_finite", include_str!("../cases/roller_finite/case.toml")),
+    without_files("thrust_roller", include_str!("../cases/thrust_roller/case.toml")),
+    without_files("ball_in_groove", include_str!("../cases/ball_in_groove/case.toml")),
     without_files("cattaneo_mindlin", include_str!("../cases/cattaneo_mindlin/case.toml")),
     without_files("spence", include_str!("../cases/spence/case.toml")),
     without_files("punch_indentation", include_str!("../cases/punch_indentation/case.toml")),

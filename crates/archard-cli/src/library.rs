@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use archard_surface::HeightMap;
 use serde_json::{Value, json};
 
 use crate::arguments::Report;
@@ -11,6 +12,7 @@ use crate::plot::results::Results;
 use crate::{compare, plot, report};
 
 pub use crate::compare::Options as Comparing;
+pub use crate::compare::scans::{Found, Scans};
 
 /// Writes the page of a folder, next to measured tables and other runs, as `archard report` does; returns its file.
 ///
@@ -38,6 +40,14 @@ pub fn comparison(
 ) -> Result<(Vec<String>, Value), String> {
     let (words, picture, mark) = compare::picture(dir, others, &options).map_err(why)?;
     Ok((words, json!({ "mark": mark, "pictures": [picture.json()] })))
+}
+
+/// What is worn between two maps of a surface, of these names, as `archard compare --before A --after B` finds it.
+///
+/// # Errors
+/// Why it is not found, in words.
+pub fn scans(maps: &[HeightMap; 2], names: [String; 2], scans: &Scans) -> Result<Found, String> {
+    compare::scans::found(maps, names, scans).map_err(in_words)
 }
 
 /// The pictures that `archard plot` draws of a folder, as data: a mark, and of each picture its name and its panels with
@@ -68,7 +78,11 @@ pub fn quantity(value: f64, unit: &str) -> String {
 }
 
 fn why(error: anyhow::Error) -> String {
-    match Failure::because(&error) {
+    in_words(Failure::because(&error))
+}
+
+fn in_words(failure: Failure) -> String {
+    match failure {
         Failure::Wrong(message) => message,
         other => other.cause(),
     }

@@ -22,7 +22,11 @@ pub fn log(arguments: &Arguments) -> Result<(), Failure> {
             profile.len()
         )));
     }
-    let options = Options { columns: pairs(&arguments.column)?, values: pairs(&arguments.set)? };
+    let options = Options {
+        columns: pairs(&arguments.column)?,
+        values: pairs(&arguments.set)?,
+        profile: !profile.is_empty(),
+    };
     let (mut places, mut logs, mut wrong) = (vec![], vec![], vec![]);
     for (place, file) in files.iter().enumerate() {
         match read(file, &options) {

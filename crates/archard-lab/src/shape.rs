@@ -1,5 +1,7 @@
 //! Whether tests wear as the model says they do: over the distance, and over the load.
 
+use std::f64::consts::LN_10;
+
 use super::effects::{Effects, chance, factor};
 use super::within::{Fitted, Test};
 
@@ -146,10 +148,17 @@ impl Slope {
     }
 }
 
-/// The exponent of the load that k depends on, where a constant k says 0; `None` without three tests at two loads.
+/// The exponent of the load that k depends on, where a constant k says 0; `None` without three tests at two loads. Loads at which wear
+/// that does not depend on them at all would change k by what is [negligible](NEGLIGIBLE) are one load, as that of a dead weight is
+/// measured a little differently in each test.
 pub fn over_loads(tests: &[Test], fitted: &[Fitted]) -> Option<Exponent> {
     let point = |(test, fitted): (&Test, &Fitted)| Some([test.load?.ln(), fitted.log_k]);
     let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect::<Option<_>>()?;
+    let ends = points.iter().map(|point| point[0]);
+    let [low, high] = [ends.clone().reduce(f64::min)?, ends.reduce(f64::max)?];
+    if high - low < NEGLIGIBLE * LN_10 {
+        return None;
+    }
     let [slope, deviation] = line(&points)?;
     Some(Exponent::of(0.0, slope, deviation, points.len() as f64 - 2.0))
 }

@@ -29,6 +29,8 @@ pub struct Derived {
     pub friction: Option<Vec<f64>>,
     /// The column of the wear.
     pub wear: Option<Chosen>,
+    /// Whether a profile across the track says what was worn.
+    pub profile: bool,
     /// The rows of each step.
     pub steps: Vec<Range<usize>>,
     /// What was read and derived: name and words.
@@ -197,7 +199,8 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     });
     let mut said = read.said;
     said.extend(table.said.iter().map(|words| ("reading".to_owned(), words.clone())));
-    Ok(Derived { time, distance, radius, speed, load, friction, wear, steps, said })
+    let profile = options.profile;
+    Ok(Derived { time, distance, radius, speed, load, friction, wear, profile, steps, said })
 }
 
 /// A column, as a way to the distance.

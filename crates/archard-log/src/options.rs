@@ -11,6 +11,8 @@ pub struct Options {
     pub columns: Vec<(String, String)>,
     /// `load`, `radius`, `speed`, `rotation`, `stroke` or `from`, and a quantity: `5 N`, or one for each step: `5 N; 10 N`.
     pub values: Vec<(String, String)>,
+    /// Whether a profile across the track says what was worn.
+    pub profile: bool,
 }
 
 const VALUES: [(&str, Measure); 6] = [

@@ -177,6 +177,9 @@ impl Step {
             return Some("the bodies did not slide in this step".into());
         }
         let Some(wear) = &all.wear else {
+            if all.profile {
+                return Some("what was worn stands in the profile: `archard fit` reads it by the row of `-o ROWS.csv`".into());
+            }
             return Some(
                 "no column holds a depth of wear: name it with --column wear=\"TITLE [um]\", or give a profile across the track with --profile FILE"
                     .into(),

@@ -6,7 +6,7 @@ fn options(columns: &[(&str, &str)], values: &[(&str, &str)]) -> Options {
     let owned = |all: &[(&str, &str)]| {
         all.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect()
     };
-    Options { columns: owned(columns), values: owned(values) }
+    Options { columns: owned(columns), values: owned(values), profile: false }
 }
 
 fn read(text: &str, options: &Options) -> Result<Log, Error> {

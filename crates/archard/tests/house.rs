@@ -331,6 +331,59 @@ fn comments_speak_plainly() {
     assert_eq!(turns("// A pair beside it.\nlet beside = 1; // `beside`\n/// It tells.").len(), 2);
 }
 
+/// The most words of the book: what has a letter or a digit, signs of tables and formulas apart.
+const BOOK: usize = 25_000;
+/// The most bytes of ARCHITECTURE.md.
+const ARCHITECTURE: usize = 10_000;
+
+#[test]
+fn the_book_stays_short() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |path: &Path| fs::read_to_string(path).expect("a text");
+    let words = |text: &str| {
+        text.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
+    };
+    let pages = fs::read_dir(root.join("book/src")).expect("the book");
+    let pages = pages.map(|page| page.expect("a page").path());
+    let pages = pages.filter(|page| page.extension().is_some_and(|ending| ending == "md"));
+    let book: usize = pages.map(|page| words(&read(&page))).sum();
+    let architecture = read(&root.join("ARCHITECTURE.md")).len();
+    println!("words of the book: {book}; bytes of ARCHITECTURE.md: {architecture}");
+    assert!(book > 0 && book <= BOOK, "{book} words, and {BOOK} are the most: say it shorter");
+    assert!(architecture <= ARCHITECTURE, "{architecture} bytes: PARTS.md has the parts");
+    assert_eq!(words("| `a` | 3.5 | $x_1 + y$ |"), 4);
+}
+
+/// Sources of more lines than a reader keeps in mind, each with what keeps it together.
+const LONG: [(&str, &str); 6] = [
+    ("archard/src/numerics/convolution/mod.rs", "one type, whose transforms share their buffers"),
+    ("archard/src/simulation/history.rs", "one table of columns"),
+    ("archard/src/wear/expression/parser.rs", "one grammar"),
+    ("archard-case/src/case/wheel_rail/mod.rs", "one case, with all that is asked of it"),
+    ("archard-case/src/verdict/bounds.rs", "one list, a function a line of the verdict"),
+    ("archard-cli/src/plot/results.rs", "one type: the files of a result folder"),
+];
+/// The most lines of others.
+const LINES: usize = 400;
+
+#[test]
+fn long_sources_have_a_reason() {
+    let mut sources = vec![];
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for name in CRATES {
+        files(&crates.join(name).join("src"), &mut sources);
+    }
+    let long =
+        |path: &&PathBuf| fs::read_to_string(path).expect("a source").lines().count() > LINES;
+    let name = |path: &PathBuf| {
+        path.strip_prefix(&crates).expect("a crate").to_string_lossy().replace('\\', "/")
+    };
+    let found: BTreeSet<String> = sources.iter().filter(long).map(name).collect();
+    let known: BTreeSet<String> = LONG.iter().map(|(path, _)| (*path).to_owned()).collect();
+    println!("sources of more than {LINES} lines: {}", found.len());
+    assert_eq!(found, known, "divide it by its ideas, or give the reason that keeps it whole");
+}
+
 #[test]
 fn no_column_of_the_house_rises() {
     let now = table();

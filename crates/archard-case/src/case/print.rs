@@ -63,10 +63,9 @@ impl Display for Case {
             }
             if line {
                 writeln!(f, "frame.plane_strain = true\nframe.length = {y}")?;
-                match elements {
-                    [along, 1] => writeln!(f, "frame.size = {x}\nframe.elements = {along}\n")?,
-                    _ => writeln!(f, "frame.size = {x}\nframe.elements = {elements:?}\n")?,
-                }
+                let [along, strips] = elements;
+                let count = if strips == 1 { along.to_string() } else { format!("{elements:?}") };
+                writeln!(f, "frame.size = {x}\nframe.elements = {count}\n")?;
             } else {
                 writeln!(f, "frame.size = [{x}, {y}]\nframe.elements = {elements:?}")?;
                 if !self.doubles.is_empty() {

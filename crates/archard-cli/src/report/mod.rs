@@ -4,6 +4,7 @@
 //! [`plot`](crate::plot) and the fields of all outputs as numbers, and plotly.js, which draws those where scripts may
 //! run. Everything is read from the files of the folder.
 
+mod closed_forms;
 mod figures;
 mod fit;
 mod html;

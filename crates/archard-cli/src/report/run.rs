@@ -10,7 +10,7 @@ use super::figures::{Figure, drawn};
 use super::html::{Html, fill};
 use super::maps::{self, Maps};
 use super::page::{Header, Page, Sections, Table, definitions, list};
-use super::{name_of, stress, tables, words};
+use super::{closed_forms, name_of, stress, tables, words};
 use crate::compare::Comparison;
 use crate::number::of_a_line;
 use crate::plot;
@@ -131,7 +131,7 @@ impl Run<'_> {
         for (id, heading, figures) in &self.figures {
             all.add(id, heading, &put(figures));
         }
-        let theory = tables::closed_forms(results).html();
+        let theory = closed_forms::closed_forms(results).html();
         all.add("theory", "Compared with theory", &theory);
         let one = |(one, figures): &(Comparison, Vec<_>)| {
             let rows = one.told().iter().map(|line| line.to_vec()).collect();

@@ -3,6 +3,7 @@
 mod cracks;
 mod forecast;
 mod history;
+mod keys;
 mod limits;
 mod prepared;
 pub(super) mod print;

@@ -3,13 +3,19 @@
 use std::sync::Arc;
 
 use archard::friction::{Coulomb, Friction};
-use archard::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+use archard::parameters::{Choice, Invalid, Quantity, Values};
 use archard_rail::contact::Zone;
 use archard_rail::search;
 use archard_rail::setup::{Attitude, Side, Track, Velocity, Wheelset};
 use archard_rail::wear::OperatingPoint;
 
 use super::history::{HISTORY, History};
+use super::keys::{
+    AXLE_MOMENT, AXLES, BACK, BACK_POSITION, CENTRE_HEIGHT, CURVATURE, DISTANCE, FLANGE_FRICTION,
+    FLANGE_FROM, GAUGE, GAUGE_HEIGHT, JOIN, LATERAL, LOAD, MOMENT, PITCH, RATE, ROLL, ROLL_RATE,
+    ROUTE, SHIFT, SIDE, SPEED, STEPS, SUPERELEVATION, TOLERANCE, VERTICAL, WEAR_SMOOTHING, YAW,
+    YAW_RATE,
+};
 
 /// Columns (SI) by their names.
 pub type Columns = Vec<(String, Vec<f64>)>;
@@ -291,138 +297,6 @@ pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
     ],
     build,
 }];
-
-const LOAD: Parameter =
-    Parameter::required("wheel_load", Quantity::Force, "vertical force on a wheel");
-const SPEED: Parameter = Parameter::required("speed", Quantity::Speed, "speed along the track");
-const SIDE: Parameter = Parameter::optional(
-    "side",
-    Quantity::Word(&["right", "left", "both"]),
-    "which wheel; right if not given",
-);
-const GAUGE: Parameter = Parameter::optional(
-    "gauge",
-    Quantity::Length,
-    "distance between the inner faces of the rails; 1435 mm if not given",
-);
-const GAUGE_HEIGHT: Parameter = Parameter::optional(
-    "gauge_height",
-    Quantity::Length,
-    "depth below the top of the rails down to which it counts; 14 mm if not given",
-);
-const BACK: Parameter = Parameter::optional(
-    "flange_back",
-    Quantity::Length,
-    "distance between the backs of the wheels; 1360 mm if not given",
-);
-const BACK_POSITION: Parameter = Parameter::optional(
-    "flange_back_position",
-    Quantity::Length,
-    "y of the back on the profile of the wheel; -70 mm if not given",
-)
-.bound(Bound::Any);
-const SHIFT: Parameter =
-    Parameter::optional("shift", Quantity::Length, "lateral shift of the wheelset to the right")
-        .bound(Bound::Any);
-const YAW: Parameter = Parameter::optional(
-    "yaw",
-    Quantity::Angle,
-    "turn about the vertical, positive where the right wheel goes back",
-)
-.bound(Bound::Any);
-const ROLL: Parameter = Parameter::optional(
-    "roll",
-    Quantity::Angle,
-    "turn about the direction of the track, positive where the right wheel goes down; found from both wheels if not given",
-)
-.bound(Bound::Any);
-/// A rate of turning.
-const RATE: Quantity = Quantity::Measured { name: "a rate of turning", unit: "rad/s" };
-const PITCH: Parameter = Parameter::optional(
-    "pitch_rate",
-    RATE,
-    "rate of turning about the axle, negative forward; that of pure rolling at the nominal radius if not given",
-)
-.bound(Bound::Any);
-/// A moment.
-const MOMENT: Quantity = Quantity::Measured { name: "a moment", unit: "N m" };
-const AXLE_MOMENT: Parameter = Parameter::optional(
-    "axle_moment",
-    MOMENT,
-    "moment that drives the wheelset forward, negative where it brakes, 0 of one that runs free; the rate of turning follows",
-)
-.bound(Bound::Any);
-const YAW_RATE: Parameter =
-    Parameter::optional("yaw_rate", RATE, "rate of the yaw").bound(Bound::Any);
-const ROLL_RATE: Parameter =
-    Parameter::optional("roll_rate", RATE, "rate of the roll").bound(Bound::Any);
-const LATERAL: Parameter =
-    Parameter::optional("lateral_speed", Quantity::Speed, "speed to the right").bound(Bound::Any);
-const VERTICAL: Parameter =
-    Parameter::optional("vertical_speed", Quantity::Speed, "speed downwards").bound(Bound::Any);
-const JOIN: Parameter = Parameter::optional(
-    "join",
-    Quantity::Length,
-    "distance up to which overlaps are one patch; 4 mm if not given",
-)
-.bound(Bound::NonNegative);
-
-const CURVATURE: Parameter = Parameter::optional(
-    "curvature",
-    Quantity::Curvature,
-    "curvature of the track, positive to the right: the wheelset turns with it",
-)
-.bound(Bound::Any);
-const ROUTE: Parameter = Parameter::optional(
-    "route",
-    Quantity::Table(COLUMNS),
-    "CSV of operating points, a row each: `share` of the distance and any value above that differs from point to point, or \
-     `friction`",
-)
-.bound(Bound::Any);
-const FLANGE_FRICTION: Parameter = Parameter::optional(
-    "flange_friction",
-    Quantity::Number,
-    "coefficient of friction on the flange, where it differs, as where it is lubricated",
-)
-.bound(Bound::NonNegative);
-const FLANGE_FROM: Parameter = Parameter::optional(
-    "flange_from",
-    Quantity::Length,
-    "y on the profile of the wheel where the flange begins that has this friction: it reaches from there to the tip",
-)
-.bound(Bound::Any);
-const STEPS: Parameter = Parameter::optional(
-    "history",
-    Quantity::Section(HISTORY),
-    "the history of a program of vehicle dynamics, gathered to the points of a route",
-);
-const SUPERELEVATION: Parameter = Parameter::optional(
-    "superelevation",
-    Quantity::Length,
-    "height of the left rail over the right one, as of a curve to the right",
-)
-.bound(Bound::Any);
-const CENTRE_HEIGHT: Parameter = Parameter::optional(
-    "centre_height",
-    Quantity::Length,
-    "height of the centre of mass over the rails: the wheels share their load in a curve by the quasi-static balance",
-);
-const DISTANCE: Parameter =
-    Parameter::optional("distance", Quantity::Length, "distance that a wheel runs which wears");
-const AXLES: Parameter =
-    Parameter::optional("axles", Quantity::Number, "axles that pass a rail which wears");
-const TOLERANCE: Parameter = Parameter::optional(
-    "tolerance",
-    Quantity::Number,
-    "error of a step of wear, relative to all that is worn off; 0.01 if not given",
-);
-const WEAR_SMOOTHING: Parameter = Parameter::optional(
-    "wear_smoothing",
-    Quantity::Length,
-    "waves of worn depth of this length keep half of their height; 2 mm if not given",
-)
-.bound(Bound::NonNegative);
 
 /// Which side and which of its creepages a column prescribes.
 fn creepage(name: &str) -> Option<[usize; 2]> {

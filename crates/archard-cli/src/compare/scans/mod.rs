@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use archard_case::PreparedSurface;
 use archard_surface::HeightMap;
 use archard_surface::difference::{Difference, NoDifference, SectionPoint};
+use serde_json::Value;
 
 pub use options::Scans;
 
@@ -32,26 +33,57 @@ struct Compared<'a> {
     section: Vec<SectionPoint>,
 }
 
+/// What is worn between two scans, for a program that shows it by itself.
+pub struct Found {
+    /// What the command prints.
+    pub lines: Vec<String>,
+    /// All numbers, in SI.
+    pub numbers: Value,
+    /// The later surface above the earlier one (m), on the points of the later scan.
+    pub change: HeightMap,
+    /// At each point -1 in a worn region, 1 in one that is piled up, 0 elsewhere.
+    pub regions: Vec<i8>,
+}
+
 /// Compares two scans, says what is worn, and writes it into a folder.
 pub fn run(scans: &Scans) -> Result<(), Failure> {
     let (Some(before), Some(after)) = (&scans.before, &scans.after) else {
         return Err(Failure::wrong("give both scans: --before FILE --after FILE"));
     };
-    let options = scans.options().map_err(Failure::wrong)?;
-    scans.progress().map_err(Failure::wrong)?;
+    scans.options().and_then(|_| scans.progress()).map_err(Failure::wrong)?;
     let maps = [
         scan(before, [("--set", &scans.set), ("--set-before", &scans.set_before)])?,
         scan(after, [("--set", &scans.set), ("--set-after", &scans.set_after)])?,
     ];
-    let found = Difference::between(&maps[0], &maps[1], &options)
-        .map_err(|error| Failure::wrong(format!("{}: {error}{}", after.display(), hint(&error))))?;
-    let section = found.section(&maps[0]);
     let names = [before, after].map(|path| path.display().to_string());
-    let compared = Compared { scans, names, found, section };
+    let compared = Compared::of(&maps, names, scans)?;
     let dir = scans.output.clone().unwrap_or_else(|| default(before, after));
     write(&dir, &compared)?;
     compared.lines().iter().try_for_each(|line| say(line))?;
     say(&format!("{:<18}{}", "results", dir.display()))
+}
+
+/// What is worn between two maps of these names.
+pub fn found(maps: &[HeightMap; 2], names: [String; 2], scans: &Scans) -> Result<Found, Failure> {
+    let compared = Compared::of(maps, names, scans)?;
+    let (lines, numbers) = (compared.lines(), compared.json());
+    let Difference { change, regions, .. } = compared.found;
+    Ok(Found { lines, numbers, change, regions })
+}
+
+impl<'a> Compared<'a> {
+    fn of(
+        [before, after]: &[HeightMap; 2],
+        names: [String; 2],
+        scans: &'a Scans,
+    ) -> Result<Self, Failure> {
+        let options = scans.options().map_err(Failure::wrong)?;
+        let wrong =
+            |error: NoDifference| Failure::wrong(format!("{}: {error}{}", names[1], hint(&error)));
+        let found = Difference::between(before, after, &options).map_err(wrong)?;
+        let section = found.section(before);
+        Ok(Self { scans, names, found, section })
+    }
 }
 
 /// The option that helps against a refusal.

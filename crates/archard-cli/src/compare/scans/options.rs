@@ -10,8 +10,8 @@ use clap::ValueHint;
 #[derive(Debug, Clone, Default, clap::Args)]
 #[group(id = "two scans")]
 pub struct Scans {
-    /// The scan before the test, in the place of a run: Digital Surf (.sur), SDF (.sdf), NumPy (.npy), or a matrix of heights (.csv,
-    /// .txt, .asc)
+    /// The scan before the test, in the place of a run: Digital Surf (.sur), SDF (.sdf), X3P (.x3p), Gwyddion (.gwy), NetCDF
+    /// (.nc), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)
     #[arg(long, value_name = "FILE", requires = "after", conflicts_with = "dir", value_hint = ValueHint::FilePath)]
     pub before: Option<PathBuf>,
     /// The scan of the same place after the test
