@@ -6,6 +6,7 @@ import platform
 import re
 import shutil
 import subprocess
+import sys
 import tarfile
 from pathlib import Path
 
@@ -77,3 +78,51 @@ def test_the_installer_takes_what_has_its_digest(damaged, tmp_path):
         assert done.returncode == 0, done.stderr
         assert f"installed archard 9.9.9 as {folder}/archard" in done.stdout
         assert subprocess.check_output([folder / "archard"], text=True) == "archard 9.9.9\n"
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="the script reads TOML")
+def test_the_owner_fills_in_one_file(tmp_path):
+    """Address, authors and digest come from one file, and a second run changes nothing."""
+    files = ["CITATION.cff", "Cargo.toml", ".zenodo.json", "paper/paper.md", "python/pyproject.toml"]
+    files += [f"packaging/{name}" for name in ("conda/recipe.yaml", "homebrew/archard.rb", "install.sh", "owner")]
+    for name in files:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    (tmp_path / "packaging/owner.toml").write_text(
+        'address = "https://code.test/wear/archard"\n'
+        '[[author]]\nname = "Ada Löwe"\norcid = "0000-0001-2345-6789"\naffiliation = "Institute of Wear"\n'
+        '[[author]]\nname = "Bo Rigg"\n'
+    )
+    archive = tmp_path / "archard-0.1.0-source.tar.gz"
+    archive.write_bytes(b"a source")
+
+    def run():
+        command = [sys.executable, tmp_path / "packaging/owner", archive]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    run()
+    texts = {name: (tmp_path / name).read_text() for name in files if name != "packaging/owner"}
+    assert not [name for name, text in texts.items() if "https://example.org" in text]
+    assert 'repository = "https://code.test/wear/archard"' in texts["Cargo.toml"]
+    digest = hashlib.sha256(b"a source").hexdigest()
+    assert digest in texts["packaging/conda/recipe.yaml"]
+    assert digest in texts["packaging/homebrew/archard.rb"]
+    for name in ("CITATION.cff", ".zenodo.json", "paper/paper.md", "python/pyproject.toml"):
+        assert "Ada Löwe" in texts[name]
+        assert "Bo Rigg" in texts[name]
+    assert "orcid: 0000-0001-2345-6789\n    affiliation: 1" in texts["paper/paper.md"]
+    assert "To be named\n    index: 2" in texts["paper/paper.md"]
+    assert run() == ""
+
+
+def test_actions_are_pinned():
+    """Every action of a workflow is one commit."""
+    used = [
+        line.split("uses:")[1].strip()
+        for path in (ROOT / ".github/workflows").glob("*.yml")
+        for line in path.read_text().splitlines()
+        if "uses:" in line
+    ]
+    others = [one for one in used if not one.startswith("./")]
+    assert others
+    assert [one for one in others if not re.fullmatch(r"[\w./-]+@[0-9a-f]{40} # v[\d.]+", one)] == []
