@@ -2,6 +2,9 @@
 
 use archard::parameters::{Bound, Parameter, Quantity};
 
+use super::history::HISTORY;
+use super::running::COLUMNS;
+
 pub(super) const LOAD: Parameter =
     Parameter::required("wheel_load", Quantity::Force, "vertical force on a wheel");
 pub(super) const SPEED: Parameter =

@@ -9,7 +9,7 @@ use archard_rail::search;
 use archard_rail::setup::{Attitude, Side, Track, Velocity, Wheelset};
 use archard_rail::wear::OperatingPoint;
 
-use super::history::{HISTORY, History};
+use super::history::History;
 use super::keys::{
     AXLE_MOMENT, AXLES, BACK, BACK_POSITION, CENTRE_HEIGHT, CURVATURE, DISTANCE, FLANGE_FRICTION,
     FLANGE_FROM, GAUGE, GAUGE_HEIGHT, JOIN, LATERAL, LOAD, MOMENT, PITCH, RATE, ROLL, ROLL_RATE,
