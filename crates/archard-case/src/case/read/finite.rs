@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::case::check::memory;
-use crate::case::definition::{BodyCase, FrameCase};
+use crate::case::chosen::Chosen;
+use crate::case::definition::{BodyCase, BuildError, FrameCase};
 use crate::case::finite::FiniteCase;
 use crate::case::key::Key;
 use crate::case::nearest::nearest;
@@ -11,7 +12,7 @@ use crate::case::problem::Problem;
 use crate::case::read::image;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
-use archard::body::mesh::{MESHES, MeshProblem, Meshed, Zone};
+use archard::body::mesh::{MESHES, MeshError, MeshProblem, Meshed, Shape, Zone};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::compliance::bem::Size;
 use archard::parameters::{Bound, Parameter, Quantity};
@@ -29,6 +30,9 @@ const BOUNDARY_ELEMENTS: &[Parameter] = &[
 
 /// Relative error of the integrals where a case says nothing.
 const TOLERANCE: f64 = 1e-6;
+
+/// Why a matrix says how a body deforms.
+const GIVEN: &str = "the case gives one";
 
 /// Length (m) beyond which the unit of a file is in doubt.
 const LARGE: f64 = 10.0;
@@ -61,8 +65,11 @@ impl Reader<'_> {
             }),
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
-        let (elasticity, says) = elasticity?;
-        let why = None;
+        let (elasticity, says, why) = match (mesh.values.get("compliance"), elasticity?) {
+            (Some(_), (_, false)) => (Elasticity::Reduced, true, Some(GIVEN)),
+            (_, (elasticity, says)) => (elasticity, says, None),
+        };
+        self.unused(&section, &mesh, elasticity);
         // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
         let read = self.supports(body, elasticity);
         let supports = read.clone().unwrap_or_default();
@@ -71,9 +78,7 @@ impl Reader<'_> {
         let finite = if says { finite } else { image::chosen(finite, self.framed) };
         let finite = match finite.elasticity {
             // Nodes at the corners are those of the tetrahedra.
-            Elasticity::FiniteElements => {
-                FiniteCase { interpolation: Interpolation::Continuous, ..finite }
-            }
+            own if own.bears() => FiniteCase { interpolation: Interpolation::Continuous, ..finite },
             _ => finite,
         };
         let meshed = self.meshed(&section, &finite)?;
@@ -84,7 +89,7 @@ impl Reader<'_> {
     /// The mesh, if it is sound.
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
-        if matches!(finite.elasticity, Elasticity::Image | Elasticity::FiniteElements) {
+        if finite.elasticity == Elasticity::Image || finite.elasticity.bears() {
             return self.imaged(&key, finite);
         }
         let shape = finite.mesh.build().ok()?;
@@ -117,9 +122,32 @@ impl Reader<'_> {
             Ok(meshed) if meshed.volume.is_none() => Some(meshed),
             Ok(meshed) => self.sound(key, finite, &meshed).then_some(meshed),
             Err(error) => {
-                self.push(Problem::error(key.clone(), error.to_string()));
+                let key = match &error {
+                    BuildError::Mesh(error @ MeshError::Matrix { .. }) => {
+                        key.child(error.parameter())
+                    }
+                    BuildError::Invalid(invalid) if invalid.parameter == "compliance" => {
+                        key.child("compliance")
+                    }
+                    _ => key.clone(),
+                };
+                self.push(Problem::error(key, error.to_string()));
                 None
             }
+        }
+    }
+
+    /// A doubt about a compliance that is given and not taken.
+    fn unused(
+        &mut self,
+        section: &Section<'_>,
+        mesh: &Chosen<Box<dyn Shape>>,
+        elasticity: Elasticity,
+    ) {
+        if mesh.values.get("compliance").is_some() && elasticity != Elasticity::Reduced {
+            let key = section.key.child(mesh.choice.name).child("compliance");
+            let message = "has no effect: `elasticity` says something else than \"compliance\"";
+            self.push(Problem::warning(key, message).at_name());
         }
     }
 
@@ -170,9 +198,10 @@ impl Reader<'_> {
             Item::Text(word) if word == "boundary_elements" => Elasticity::BoundaryElements,
             Item::Text(word) if word == "image" => Elasticity::Image,
             Item::Text(word) if word == "finite_elements" => Elasticity::FiniteElements,
+            Item::Text(word) if word == "compliance" => Elasticity::Reduced,
             Item::Text(word) if word == "half_space" => Elasticity::HalfSpace,
             _ => {
-                let message = "expected \"image\", \"boundary_elements\", \"finite_elements\" or \"half_space\"";
+                let message = "expected \"image\", \"boundary_elements\", \"finite_elements\", \"compliance\" or \"half_space\"";
                 self.push(Problem::error(key, message));
                 return None;
             }
@@ -223,7 +252,7 @@ impl Reader<'_> {
         elasticity: Elasticity,
     ) -> Option<Vec<(String, Support)>> {
         let Some((key, entry)) = body.get("supports") else {
-            if elasticity == Elasticity::HalfSpace {
+            if matches!(elasticity, Elasticity::HalfSpace | Elasticity::Reduced) {
                 return Some(vec![]);
             }
             let message = "is missing: what holds the body, for example `{ bottom = \"clamped\" }`";
