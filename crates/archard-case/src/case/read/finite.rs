@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use crate::case::check::memory;
-use crate::case::chosen::Chosen;
 use crate::case::definition::{BodyCase, BuildError, FrameCase};
 use crate::case::finite::FiniteCase;
 use crate::case::key::Key;
@@ -12,7 +11,7 @@ use crate::case::problem::Problem;
 use crate::case::read::image;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
-use archard::body::mesh::{MESHES, MeshError, MeshProblem, Meshed, Shape, Zone};
+use archard::body::mesh::{MESHES, MeshError, MeshProblem, Meshed, Zone};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::compliance::bem::Size;
 use archard::parameters::{Bound, Parameter, Quantity};
@@ -30,9 +29,6 @@ const BOUNDARY_ELEMENTS: &[Parameter] = &[
 
 /// Relative error of the integrals where a case says nothing.
 const TOLERANCE: f64 = 1e-6;
-
-/// Why a matrix says how a body deforms.
-const GIVEN: &str = "the case gives one";
 
 /// Length (m) beyond which the unit of a file is in doubt.
 const LARGE: f64 = 10.0;
@@ -52,7 +48,7 @@ impl Reader<'_> {
         let section = self.as_table(key, &entry.node)?;
         let mesh = self.required(&section, "mesh", MESHES);
         let mirrored = self.symmetry(body);
-        let elasticity = self.elasticity(body);
+        let elasticity = mesh.as_ref().and_then(|mesh| self.elasticity(body, mesh));
         let elements = match body.get("boundary_elements") {
             None => Some((Interpolation::default(), TOLERANCE)),
             Some((key, entry)) => self.as_table(key, &entry.node).map(|section| {
@@ -65,11 +61,7 @@ impl Reader<'_> {
             }),
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
-        let (elasticity, says, why) = match (mesh.values.get("compliance"), elasticity?) {
-            (Some(_), (_, false)) => (Elasticity::Reduced, true, Some(GIVEN)),
-            (_, (elasticity, says)) => (elasticity, says, None),
-        };
-        self.unused(&section, &mesh, elasticity);
+        let (elasticity, says, why) = elasticity?;
         // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
         let read = self.supports(body, elasticity);
         let supports = read.clone().unwrap_or_default();
@@ -137,20 +129,6 @@ impl Reader<'_> {
         }
     }
 
-    /// A doubt about a compliance that is given and not taken.
-    fn unused(
-        &mut self,
-        section: &Section<'_>,
-        mesh: &Chosen<Box<dyn Shape>>,
-        elasticity: Elasticity,
-    ) {
-        if mesh.values.get("compliance").is_some() && elasticity != Elasticity::Reduced {
-            let key = section.key.child(mesh.choice.name).child("compliance");
-            let message = "has no effect: `elasticity` says something else than \"compliance\"";
-            self.push(Problem::warning(key, message).at_name());
-        }
-    }
-
     /// Whether a mesh is the surface of one body.
     fn sound(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) -> bool {
         self.unit(key, finite, meshed);
@@ -187,26 +165,6 @@ impl Reader<'_> {
             let help = "give `unit = \"mm\"` if its coordinates are in mm, `unit = \"m\"` if it is that large";
             self.push(Problem::warning(key.child("path"), message).help(help));
         }
-    }
-
-    /// What says how the body deforms, and whether the case says so.
-    fn elasticity(&mut self, body: &Section<'_>) -> Option<(Elasticity, bool)> {
-        let Some((key, entry)) = body.get("elasticity") else {
-            return Some((Elasticity::default(), false));
-        };
-        let elasticity = match &entry.node.item {
-            Item::Text(word) if word == "boundary_elements" => Elasticity::BoundaryElements,
-            Item::Text(word) if word == "image" => Elasticity::Image,
-            Item::Text(word) if word == "finite_elements" => Elasticity::FiniteElements,
-            Item::Text(word) if word == "compliance" => Elasticity::Reduced,
-            Item::Text(word) if word == "half_space" => Elasticity::HalfSpace,
-            _ => {
-                let message = "expected \"image\", \"boundary_elements\", \"finite_elements\", \"compliance\" or \"half_space\"";
-                self.push(Problem::error(key, message));
-                return None;
-            }
-        };
-        Some((elasticity, true))
     }
 
     /// Whether a body says where it may touch, if it is meshed.

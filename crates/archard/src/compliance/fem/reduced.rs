@@ -122,8 +122,8 @@ impl Superelement {
             return Ok(());
         }
         Err(Unfit::Wrong(format!(
-            "the nodes of the zone resist {median:.1e} times what a material of E = {:.4} GPa makes them resist: see whether `compliance_unit`, `unit` and `young` are right",
-            1e-9 * material.young
+            "the nodes of the zone resist {median:.1e} times what a material of E = {:e} Pa makes them resist: see whether `compliance_unit`, `unit` and `young` are right",
+            material.young
         )))
     }
 

@@ -1,9 +1,9 @@
 //! How far a body is off close to where it is loaded, from its compliance alone.
 //!
 //! What varies over lengths that are small against a body displaces it as a half-space, whatever its shape and its supports. Pressures
-//! less their means over circles, twice, vary like that. The work that they do on the displacements of the body, against that on those
-//! of a half-space, is by how much its elements are too stiff at the size of the circles. Elements that grow with the depth are too
-//! stiff at all larger sizes too, by no more than that.
+//! less their means over circles vary like that: they have no force and no moment. The work that they do on the displacements of the
+//! body, against that on those of a half-space, is by how much its elements are too stiff at the size of the circles. Elements that grow
+//! with the depth are too stiff at all larger sizes too, by no more than that.
 
 use faer::Mat;
 use glam::DVec3;
@@ -55,9 +55,7 @@ impl Near {
             let moved = compliance * own;
             self.work(pressure, moved.col_as_slice(0))
         };
-        let reach = self.reach(pressure);
-        let once = self.less_means(pressure, reach);
-        let rough = self.less_means(&once, reach);
+        let rough = self.less_means(pressure, self.reach(pressure));
         let [own, known] = [&self.body, &self.half_space].map(|one| on(one, &rough));
         if known > 0.0 { (own / known - 1.0).abs() * on(&self.half_space, pressure) } else { 0.0 }
     }

@@ -149,7 +149,7 @@ fn refused(text: &str, line: Option<usize>, part: &str) {
 #[test]
 fn what_is_no_matrix_of_a_body_is_said_with_its_line() {
     refused(&user().replace("** 4, 9\n", "** 4\n"), Some(2), "has 2 nodes and 1 are named");
-    refused(&user().replace("-7.00000E0, ", ""), Some(18), "take 21 values of stiffness, found 20");
+    refused(&user().replace("-7.00000E0, ", ""), Some(14), "take 21 values of stiffness, found 20");
     refused(&user().replace("1.70000E1", "x"), Some(9), "expected a number, found `x`");
     refused("1,1,1,1,5\n1,2,1,3\n", Some(2), "expected the node and direction of a row");
     refused("1 1 1 1 5\n1 0 1 1 3\n", Some(2), "directions are counted from 1");

@@ -24,7 +24,6 @@ pub(super) fn read(text: &str) -> Result<Written, Wrong> {
     let mut values: Vec<f64> = vec![];
     let (mut head, mut last) = (0, 0);
     for (number, line) in lines(text) {
-        last = number;
         let words = || line.split(',').map(str::trim).filter(|word| !word.is_empty());
         let capitals = line.trim().to_ascii_uppercase();
         if let Some(comment) = capitals.strip_prefix("**") {
@@ -74,6 +73,7 @@ pub(super) fn read(text: &str) -> Result<Written, Wrong> {
             }
             directions.push((from, along.iter().map(|own| own - 1).collect()));
         } else if part == Part::Values {
+            last = number;
             for word in words() {
                 values.push(written.value(word, number)?);
             }
