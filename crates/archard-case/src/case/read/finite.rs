@@ -114,16 +114,17 @@ impl Reader<'_> {
             Ok(meshed) if meshed.volume.is_none() => Some(meshed),
             Ok(meshed) => self.sound(key, finite, &meshed).then_some(meshed),
             Err(error) => {
-                let key = match &error {
-                    BuildError::Mesh(error @ MeshError::Matrix { .. }) => {
-                        key.child(error.parameter())
+                let own = || key.child("compliance");
+                let (key, message) = match &error {
+                    BuildError::Mesh(cause @ MeshError::Matrix { .. }) => {
+                        (own(), cause.to_string())
                     }
-                    BuildError::Invalid(invalid) if invalid.parameter == "compliance" => {
-                        key.child("compliance")
+                    BuildError::Invalid(cause) if cause.parameter == "compliance" => {
+                        (own(), cause.message.clone())
                     }
-                    _ => key.clone(),
+                    _ => (key.clone(), error.to_string()),
                 };
-                self.push(Problem::error(key, error.to_string()));
+                self.push(Problem::error(key, message));
                 None
             }
         }
