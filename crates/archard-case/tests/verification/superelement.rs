@@ -38,11 +38,12 @@ fn cube(across: usize, growth: f64) -> String {
     let zone = (0..=across).map(|own| own as f64 * width - HALF);
     let line: Vec<f64> = low.chain(zone).chain(beside.iter().map(|own| HALF + own)).collect();
     let down: Vec<f64> = [0.0].into_iter().chain(away(1.0)).collect();
-    let place = |z: &f64, y: &f64, x: &f64| DVec3::new(*x, *y, -z);
-    let places: Vec<DVec3> = down
-        .iter()
-        .flat_map(|z| line.iter().flat_map(move |y| line.iter().map(move |x| place(z, y, x))))
-        .collect();
+    let mut places = vec![];
+    for z in &down {
+        for y in &line {
+            places.extend(line.iter().map(|x| DVec3::new(*x, *y, -z)));
+        }
+    }
     let of = |meant: &dyn Fn(&DVec3) -> bool| -> Vec<usize> {
         (1..=places.len()).filter(|own| meant(&places[own - 1])).collect()
     };
