@@ -53,6 +53,7 @@ mod verification {
     mod step_by_error;
     mod stresses_of_half_spaces;
     mod stresses_under_contact;
+    mod superelement;
     mod swinging;
     mod tetrahedra;
     mod track;

@@ -9,6 +9,9 @@ use archard::parameters::Invalid;
 /// Why finite elements do not carry a body.
 const NOT_FILLED: &str = "finite elements take a file with tetrahedra alone, whose elements on `contact` stay as they are: leave its `elements` out, and mesh the body finer there";
 
+/// Why there is no compliance of a body.
+const NO_MATRIX: &str = "is missing: the file of the stiffness or flexibility of the body, which `elasticity = \"compliance\"` takes";
+
 /// The mesh of a body and how it is held.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +44,7 @@ impl FiniteCase {
         if self.elasticity == Elasticity::Image {
             return self.coarse(self.zone().map(|(size, _)| [[0.0; 2], size]));
         }
-        if self.elasticity == Elasticity::FiniteElements {
+        if self.elasticity.bears() {
             return self.filled();
         }
         Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
@@ -54,7 +57,11 @@ impl FiniteCase {
             return Err(Invalid::new("path", message).into());
         }
         let missing = || Invalid::new("path", NOT_FILLED);
-        Ok(self.mesh.build()?.filled().ok_or_else(missing)??)
+        let meshed = self.mesh.build()?.filled().ok_or_else(missing)??;
+        if self.elasticity == Elasticity::Reduced && meshed.reduced.is_none() {
+            return Err(Invalid::new("compliance", NO_MATRIX).into());
+        }
+        Ok(meshed)
     }
 
     /// The surfaces that supports hold; none where a half-space stands for the body.
@@ -114,7 +121,7 @@ impl FiniteCase {
         // Image fields are those of whole bodies.
         let (meshed, mirrored) = match self.elasticity {
             Elasticity::Image => (self.coarse(Some([frame.centre, frame.size]))?, [false; 2]),
-            Elasticity::FiniteElements => (self.filled()?, self.mirrored),
+            own if own.bears() => (self.filled()?, self.mirrored),
             _ => (shape.mesh(self.mirrored, &self.held())?, self.mirrored),
         };
         let curvatures = match (self.elasticity, meshed.placed) {

@@ -266,6 +266,7 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
         Elasticity::Image => "image",
         Elasticity::BoundaryElements => "boundary_elements",
         Elasticity::FiniteElements => "finite_elements",
+        Elasticity::Reduced => "compliance",
     };
     if finite.why.is_none() {
         writeln!(f, "{key}.elasticity = {}", quoted(elasticity))?;

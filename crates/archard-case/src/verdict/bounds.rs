@@ -314,13 +314,14 @@ pub fn image(missed: f64) -> Line {
     Line::new("image", missed, Bound::AtMost([0.01, 0.1]), text)
 }
 
-/// What cubic functions would add to the displacements of bodies that bear the contact on their own tetrahedra, relative to the largest
+/// What cubic functions would add to the displacements of bodies that bear the contact on their own tetrahedra, or what elements behind a
+/// matrix miss of the work of the pressures, relative to the largest
 /// displacement of the contact, or to what bends there if that is more.
 ///
 /// Loads of a ball in a socket were off by about this on meshes of three densities
 /// (`a_ball_in_a_socket_is_that_of_revolution`), by up to half as much again. The bounds are those of image fields.
 pub fn mesh(missed: f64) -> Line {
-    let text = "of the displacements are uncertain, by the tetrahedra that bear the contact: mesh the bodies finer where they touch, and towards edges of what is held";
+    let text = "of the displacements are uncertain, by the elements that bear the contact: mesh the bodies finer where they touch and below, and towards edges of what is held";
     Line::new("mesh", missed, Bound::AtMost([0.01, 0.1]), text)
 }
 

@@ -56,13 +56,28 @@ fn input(Shell { divisions: [across, through], degrees, radii, grows }: &Shell) 
         let radius = radii[0] + share * (radii[1] - radii[0]);
         [angle.sin() * turn.cos(), angle.sin() * turn.sin(), -angle.cos()].map(|one| radius * one)
     };
-    let mut places: Vec<DVec3> = places.into_iter().map(|at| place(at).into()).collect();
+    let places = places.into_iter().map(|at| place(at).into()).collect();
+    // In the middle of the arc, where generators of meshes put it.
+    let middle = |a: DVec3, b: DVec3| 0.5 * (a.length() + b.length()) * (a + b).normalize();
+    let last = (across + 1) * (across + 1) * (through + 1);
+    let first = index([0, 0, through]);
+    let sets = [("zone", (1..=(across + 1).pow(2)).collect()), ("held", (first..=last).collect())];
+    quadratic([across, across, through], places, middle, &sets)
+}
+
+/// The input of a grid of hexahedra between these corners, along x first, each in six quadratic tetrahedra, with a node between two
+/// corners and sets of corners, counted from 1.
+pub(super) fn quadratic(
+    [nx, ny, nz]: [usize; 3],
+    mut places: Vec<DVec3>,
+    middle: impl Fn(DVec3, DVec3) -> DVec3,
+    sets: &[(&str, Vec<usize>)],
+) -> String {
+    let index = |[i, j, k]: [usize; 3]| 1 + i + (nx + 1) * (j + (ny + 1) * k);
     let ways = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let edges = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
     let (mut middles, mut elements) = (HashMap::new(), vec![]);
-    for first in (0..across * across * through)
-        .map(|one| [one % across, one / across % across, one / across / across])
-    {
+    for first in (0..nx * ny * nz).map(|one| [one % nx, one / nx % ny, one / nx / ny]) {
         for way in ways {
             let mut at = first;
             let mut nodes = vec![index(at)];
@@ -72,14 +87,12 @@ fn input(Shell { divisions: [across, through], degrees, radii, grows }: &Shell) 
             }
             for [one, other] in edges {
                 let [one, other] = [nodes[one], nodes[other]];
-                let middle =
+                let between =
                     *middles.entry([one.min(other), one.max(other)]).or_insert_with(|| {
-                        // In the middle of the arc, where generators of meshes put it.
-                        let [a, b] = [places[one - 1], places[other - 1]];
-                        places.push(0.5 * (a.length() + b.length()) * (a + b).normalize());
+                        places.push(middle(places[one - 1], places[other - 1]));
                         places.len()
                     });
-                nodes.push(middle);
+                nodes.push(between);
             }
             elements.push(nodes);
         }
@@ -90,14 +103,16 @@ fn input(Shell { divisions: [across, through], degrees, radii, grows }: &Shell) 
         writeln!(text, "{}, {x}, {y}, {z}", index + 1).unwrap();
     }
     text += "*ELEMENT, TYPE=C3D10\n";
+    let listed = |numbers: &[usize]| -> String {
+        numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+    };
     for (index, nodes) in elements.iter().enumerate() {
-        let nodes: Vec<String> = nodes.iter().map(usize::to_string).collect();
-        writeln!(text, "{}, {}", index + 1, nodes.join(", ")).unwrap();
+        writeln!(text, "{}, {}", index + 1, listed(nodes)).unwrap();
     }
-    let last = (across + 1) * (across + 1) * (through + 1);
-    writeln!(text, "*NSET, NSET=zone, GENERATE\n1, {}, 1", (across + 1).pow(2)).unwrap();
-    let first = index([0, 0, through]);
-    writeln!(text, "*NSET, NSET=held, GENERATE\n{first}, {last}, 1").unwrap();
+    for (name, numbers) in sets {
+        writeln!(text, "*NSET, NSET={name}").unwrap();
+        numbers.chunks(8).for_each(|some| writeln!(text, "{}", listed(some)).unwrap());
+    }
     text
 }
 

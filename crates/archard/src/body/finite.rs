@@ -34,6 +34,8 @@ pub enum Elasticity {
     Image,
     /// Its own shape and supports, by the tetrahedra inside it: its nodes on the zone are the pairs, and its elements bear what acts there.
     FiniteElements,
+    /// A matrix that its file gives: its nodes on the zone are the pairs, as of finite elements.
+    Reduced,
     /// A half-space in its place: the mesh gives the pairs and their gap only.
     HalfSpace,
 }
@@ -41,7 +43,12 @@ pub enum Elasticity {
 impl Elasticity {
     /// Whether the mesh of the body itself deforms, with the zone as it is.
     pub fn is_own(self) -> bool {
-        matches!(self, Self::BoundaryElements | Self::FiniteElements)
+        matches!(self, Self::BoundaryElements | Self::FiniteElements | Self::Reduced)
+    }
+
+    /// Whether the nodes of its elements bear the contact, in the mean over what lies around them.
+    pub fn bears(self) -> bool {
+        matches!(self, Self::FiniteElements | Self::Reduced)
     }
 }
 

@@ -195,10 +195,9 @@ impl Body {
         self.finite.as_ref().is_some_and(|finite| finite.elasticity == Elasticity::Image)
     }
 
-    /// Whether tetrahedra inside bear the contact.
+    /// Whether the nodes of its elements bear the contact.
     pub fn carries(&self) -> bool {
-        let elasticity = self.finite.as_ref().map(|finite| finite.elasticity);
-        elasticity == Some(Elasticity::FiniteElements)
+        self.finite.as_ref().is_some_and(|finite| finite.elasticity.bears())
     }
 
     /// Curvatures 1/R along x and y (1/m) of the surface in the middle of the contact, positive where it is

@@ -11,6 +11,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use faer::{Mat, MatRef};
 use glam::DVec3;
 
+use super::bem::contact::Near;
+use super::dense::off;
 use super::fem::Carrier;
 use super::{Balance, Compliance, Dense};
 use crate::frame::{ContactFrame, VectorField};
@@ -30,6 +32,8 @@ pub struct Carried {
     rest: Option<Mat<f64>>,
     bodies: Vec<Carrier>,
     balance: Vec<(usize, Balance)>,
+    /// What the parts that are known may be off by where they are loaded.
+    near: Vec<Near>,
     self_terms: [f64; 2],
     applied: AtomicUsize,
     /// All as one matrix; `None` where there is no memory for it.
@@ -60,6 +64,7 @@ impl Carried {
             rest,
             bodies,
             balance,
+            near: vec![],
             self_terms: [0.0; 2],
             applied: AtomicUsize::new(0),
             whole: OnceLock::new(),
@@ -70,6 +75,12 @@ impl Carried {
             own.self_terms = [at(0).max(at(1)), at(2)];
         }
         own
+    }
+
+    /// The same with what the parts that are known may be off by where they are loaded.
+    #[must_use]
+    pub(super) fn judged(self, near: Vec<Near>) -> Self {
+        Self { near, ..self }
     }
 
     /// Displacements (m) under a unit traction (Pa) along each axis of some pairs, three a pair, a vector each.
@@ -230,6 +241,11 @@ impl Compliance for Carried {
             if all > 0.0 { missed / all } else { 0.0 }
         };
         let bent = |values: &[f64]| self.bent(values, &weights);
-        loaded.contains(&true).then(|| share(&missed, &all).max(share(&bent(&missed), &bent(&all))))
+        let known =
+            off(&self.near, &tractions.n, || all.iter().skip(2).step_by(3).copied().collect());
+        loaded.contains(&true).then(|| {
+            let own = share(&missed, &all).max(share(&bent(&missed), &bent(&all)));
+            own + known.unwrap_or(0.0)
+        })
     }
 }

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::Compliance;
 use super::bem::Balance;
+use super::bem::contact::Near;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::SAME;
 use crate::numerics::large::{Large, NoMemory};
@@ -23,6 +24,7 @@ pub struct Dense {
     tangential_self_term: f64,
     couples: bool,
     balance: Vec<(usize, Balance)>,
+    near: Vec<Near>,
 }
 
 /// Rows that go through the columns together: as many as a thread has, for memory is read in long runs then, as long
@@ -75,6 +77,7 @@ impl Dense {
             tangential_self_term: 0.0,
             couples: true,
             balance: vec![],
+            near: vec![],
         })
     }
 
@@ -113,6 +116,12 @@ impl Dense {
     #[must_use]
     pub(super) fn balanced(self, balance: Vec<(usize, Balance)>) -> Self {
         Self { balance, ..self }
+    }
+
+    /// The same with what bodies may be off by where they are loaded.
+    #[must_use]
+    pub(super) fn judged(self, near: Vec<Near>) -> Self {
+        Self { near, ..self }
     }
 
     /// The displacements that tractions in a range of columns make in a range of rows.
@@ -230,4 +239,20 @@ impl Compliance for Dense {
     fn balance(&self) -> Vec<(usize, f64, f64)> {
         self.balance.iter().map(|(body, one)| (*body, one.force, one.moment)).collect()
     }
+
+    /// The work that elements of bodies miss, which were made elsewhere.
+    fn missed(&self, tractions: &VectorField) -> Option<f64> {
+        off(&self.near, &tractions.n, || super::normal_displacement(self, &tractions.n))
+    }
+}
+
+/// The work of pressures (Pa) that bodies miss where they are loaded, relative to that on all displacements (m); `None` where nothing is
+/// loaded or nothing says so.
+pub(super) fn off(
+    near: &[Near],
+    pressure: &[f64],
+    displacement: impl Fn() -> Vec<f64>,
+) -> Option<f64> {
+    let all = near.first()?.work(pressure, &displacement());
+    (all > 0.0).then(|| near.iter().map(|one| one.missed(pressure)).sum::<f64>() / all)
 }

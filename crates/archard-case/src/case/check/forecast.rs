@@ -116,6 +116,7 @@ fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> 
             Elasticity::Image => "half-space and image field",
             Elasticity::BoundaryElements => "mesh around its zone",
             Elasticity::FiniteElements => "finite elements inside",
+            Elasticity::Reduced => "compliance from a file",
             Elasticity::HalfSpace => "half-space on its mesh",
         };
         Some((body.name.clone(), way, finite.why))

@@ -106,6 +106,10 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
             Problem::error(parts.zone_key(&bodies[body], "size"), message)
                 .help("turn the body over in its file, or name the other side of it as `contact`")
         }
+        ContactError::Matrix { body, message } => {
+            let mesh = key(&bodies[body], "mesh").child("file");
+            Problem::error(mesh.child("compliance"), message)
+        }
         ContactError::NoZone { body }
         | ContactError::HasImage { body }
         | ContactError::Hollow { body }

@@ -55,9 +55,7 @@ pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> 
     let finite = body.finite.as_ref()?;
     let (mesh, free) = match finite.elasticity {
         Elasticity::BoundaryElements => (&finite.mesh, available_to_equations()),
-        Elasticity::HalfSpace | Elasticity::Image | Elasticity::FiniteElements => {
-            (&finite.mesh, free_memory())
-        }
+        _ => (&finite.mesh, free_memory()),
     };
     let key = key(Key::of(["body", &body.name, "mesh"]), mesh);
     let problem = judged(memory, free).map(|problem| Problem { key, ..problem })?;

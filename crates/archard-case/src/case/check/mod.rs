@@ -243,6 +243,15 @@ fn size(finite: &Finite) -> Size {
         Elasticity::FiniteElements => {
             Size { contact: size.contact, ..Size::inside(&finite.meshed).unwrap_or(size) }
         }
+        Elasticity::Reduced => match &finite.meshed.reduced {
+            // A matrix of many rows has few values in each.
+            Some(matrix) => Size {
+                unknowns: matrix.size(),
+                contact: size.contact,
+                sparse: matrix.entries.len() < matrix.size() * matrix.size() / 4,
+            },
+            None => size,
+        },
         // The last of its meshes has four times as many elements.
         Elasticity::Image => Size::inside(&finite.meshed).unwrap_or(Size {
             unknowns: 4 * size.unknowns,

@@ -5,12 +5,12 @@ use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::verdict::{self, Word};
-use archard::body::{Elasticity, Finite};
+use archard::body::Finite;
 
 /// What is doubtful about the meshes of bodies in contact.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
-    // Quadratic tetrahedra bend.
-    let inside = |finite: &Finite| finite.elasticity == Elasticity::FiniteElements;
+    // Quadratic tetrahedra bend, and so do matrices.
+    let inside = |finite: &Finite| finite.elasticity.bears();
     let meshed = parts.meshed().filter(|(body, finite)| body.is_meshed() && !inside(finite));
     let found = meshed.filter_map(|(body, finite)| {
         let longest = body.finite.as_ref()?.slenderness(&finite.meshed).ok()??;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::case::check::memory;
-use crate::case::definition::{BodyCase, FrameCase};
+use crate::case::definition::{BodyCase, BuildError, FrameCase};
 use crate::case::finite::FiniteCase;
 use crate::case::key::Key;
 use crate::case::nearest::nearest;
@@ -11,7 +11,7 @@ use crate::case::problem::Problem;
 use crate::case::read::image;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
-use archard::body::mesh::{MESHES, MeshProblem, Meshed, Zone};
+use archard::body::mesh::{MESHES, MeshError, MeshProblem, Meshed, Zone};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::compliance::bem::Size;
 use archard::parameters::{Bound, Parameter, Quantity};
@@ -48,7 +48,7 @@ impl Reader<'_> {
         let section = self.as_table(key, &entry.node)?;
         let mesh = self.required(&section, "mesh", MESHES);
         let mirrored = self.symmetry(body);
-        let elasticity = self.elasticity(body);
+        let elasticity = mesh.as_ref().and_then(|mesh| self.elasticity(body, mesh));
         let elements = match body.get("boundary_elements") {
             None => Some((Interpolation::default(), TOLERANCE)),
             Some((key, entry)) => self.as_table(key, &entry.node).map(|section| {
@@ -61,8 +61,7 @@ impl Reader<'_> {
             }),
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
-        let (elasticity, says) = elasticity?;
-        let why = None;
+        let (elasticity, says, why) = elasticity?;
         // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
         let read = self.supports(body, elasticity);
         let supports = read.clone().unwrap_or_default();
@@ -71,9 +70,7 @@ impl Reader<'_> {
         let finite = if says { finite } else { image::chosen(finite, self.framed) };
         let finite = match finite.elasticity {
             // Nodes at the corners are those of the tetrahedra.
-            Elasticity::FiniteElements => {
-                FiniteCase { interpolation: Interpolation::Continuous, ..finite }
-            }
+            own if own.bears() => FiniteCase { interpolation: Interpolation::Continuous, ..finite },
             _ => finite,
         };
         let meshed = self.meshed(&section, &finite)?;
@@ -84,7 +81,7 @@ impl Reader<'_> {
     /// The mesh, if it is sound.
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
-        if matches!(finite.elasticity, Elasticity::Image | Elasticity::FiniteElements) {
+        if finite.elasticity == Elasticity::Image || finite.elasticity.bears() {
             return self.imaged(&key, finite);
         }
         let shape = finite.mesh.build().ok()?;
@@ -117,7 +114,17 @@ impl Reader<'_> {
             Ok(meshed) if meshed.volume.is_none() => Some(meshed),
             Ok(meshed) => self.sound(key, finite, &meshed).then_some(meshed),
             Err(error) => {
-                self.push(Problem::error(key.clone(), error.to_string()));
+                let own = || key.child("compliance");
+                let (key, message) = match &error {
+                    BuildError::Mesh(cause @ MeshError::Matrix { .. }) => {
+                        (own(), cause.to_string())
+                    }
+                    BuildError::Invalid(cause) if cause.parameter == "compliance" => {
+                        (own(), cause.message.clone())
+                    }
+                    _ => (key.clone(), error.to_string()),
+                };
+                self.push(Problem::error(key, message));
                 None
             }
         }
@@ -159,25 +166,6 @@ impl Reader<'_> {
             let help = "give `unit = \"mm\"` if its coordinates are in mm, `unit = \"m\"` if it is that large";
             self.push(Problem::warning(key.child("path"), message).help(help));
         }
-    }
-
-    /// What says how the body deforms, and whether the case says so.
-    fn elasticity(&mut self, body: &Section<'_>) -> Option<(Elasticity, bool)> {
-        let Some((key, entry)) = body.get("elasticity") else {
-            return Some((Elasticity::default(), false));
-        };
-        let elasticity = match &entry.node.item {
-            Item::Text(word) if word == "boundary_elements" => Elasticity::BoundaryElements,
-            Item::Text(word) if word == "image" => Elasticity::Image,
-            Item::Text(word) if word == "finite_elements" => Elasticity::FiniteElements,
-            Item::Text(word) if word == "half_space" => Elasticity::HalfSpace,
-            _ => {
-                let message = "expected \"image\", \"boundary_elements\", \"finite_elements\" or \"half_space\"";
-                self.push(Problem::error(key, message));
-                return None;
-            }
-        };
-        Some((elasticity, true))
     }
 
     /// Whether a body says where it may touch, if it is meshed.
@@ -223,7 +211,7 @@ impl Reader<'_> {
         elasticity: Elasticity,
     ) -> Option<Vec<(String, Support)>> {
         let Some((key, entry)) = body.get("supports") else {
-            if elasticity == Elasticity::HalfSpace {
+            if matches!(elasticity, Elasticity::HalfSpace | Elasticity::Reduced) {
                 return Some(vec![]);
             }
             let message = "is missing: what holds the body, for example `{ bottom = \"clamped\" }`";

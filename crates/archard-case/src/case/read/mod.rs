@@ -3,6 +3,7 @@
 mod body;
 mod cam;
 mod elastic;
+mod elasticity;
 mod finite;
 mod frame;
 mod gear;

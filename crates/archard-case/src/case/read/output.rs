@@ -8,6 +8,7 @@ use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::output::Limit;
+use archard::body::Elasticity;
 use archard::elastic::{self, Point};
 use archard::motion::{Motion, Planned, Progress, Shift};
 use archard::parameters::{Quantity, Values};
@@ -109,7 +110,9 @@ impl Reader<'_> {
                 self.push(Problem::error(key, message).at_name().help(help));
                 continue;
             };
-            let deforms = |finite: &FiniteCase| finite.elasticity.is_own();
+            let deforms = |finite: &FiniteCase| {
+                finite.elasticity.is_own() && finite.elasticity != Elasticity::Reduced
+            };
             if bodies[body].material.is_none() && bodies[body].layers.is_empty()
                 || bodies[body].finite.as_ref().is_some_and(|finite| !deforms(finite))
             {

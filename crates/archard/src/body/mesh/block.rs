@@ -62,7 +62,7 @@ impl Shape for Block {
             }
             Layout::Even(_) => Zone::default(),
         };
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false, volume: None })
+        Ok(Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() })
     }
 
     fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize {
@@ -118,7 +118,7 @@ impl Shape for Block {
         let mut builder = Builder::new(self.size.into_iter().fold(0.0, f64::max));
         let axes = [&x.places[..], &y.places, &z];
         tensor::block(&mut builder, axes, mirrored, SIDES, |place| place);
-        Some(Meshed { mesh: builder.finish(), zone: Zone::default(), placed: false, volume: None })
+        Some(Meshed { mesh: builder.finish(), placed: false, ..Meshed::default() })
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {

@@ -21,6 +21,7 @@ mod file;
 mod free;
 mod listed;
 mod measure;
+pub mod reduced;
 mod refine;
 mod rings;
 mod shells;
@@ -35,6 +36,7 @@ pub use check::MeshProblem;
 pub use file::{Fault, MeshFileError, Place};
 pub use free::Supported;
 pub use listed::Listed;
+pub use reduced::Reduced;
 pub use volume::{Inverted, Volume};
 
 pub use curvatures::axes;
@@ -106,6 +108,8 @@ pub struct Meshed {
     pub placed: bool,
     /// What is inside, its surface triangle by triangle that of the mesh; where a file says.
     pub volume: Option<Arc<Volume>>,
+    /// How its nodes give way; where a file says.
+    pub reduced: Option<Arc<Reduced>>,
 }
 
 /// A body whose surface can be divided into elements.
@@ -208,6 +212,12 @@ pub enum MeshError {
         /// The longest edge allowed (m).
         width: f64,
     },
+    /// A matrix that is not that of the zone.
+    #[error("{message}")]
+    Matrix {
+        /// What is wrong, with the name of its file.
+        message: String,
+    },
     /// A file has no surface of that name.
     #[error("the file has no surface `{name}`; it has {}", listed(.known))]
     NoSurface {
@@ -226,6 +236,7 @@ impl MeshError {
             MeshError::OddDivisions { .. } => "divisions",
             MeshError::NothingNear { .. } | MeshError::OnEdge { .. } => "contact.near",
             MeshError::TooFine { .. } => "contact.elements",
+            MeshError::Matrix { .. } => "compliance",
             MeshError::NoSurface { .. } => "contact",
         }
     }

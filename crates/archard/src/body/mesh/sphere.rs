@@ -89,7 +89,7 @@ impl Shape for Sphere {
             }
             builder.turn(first);
         }
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false, volume: None })
+        Ok(Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() })
     }
 
     fn at_least(&self, mirrored: [bool; 2], _held: &Supported) -> usize {

@@ -20,6 +20,8 @@ pub struct Volume {
     pub elements: Vec<[usize; 10]>,
     /// Of each triangle of the surface the corners, counter-clockwise seen from outside, and the nodes on the edges behind them.
     pub faces: Vec<[usize; 6]>,
+    /// What the file calls the first of the nodes; those behind them are middles of edges that it has no nodes for.
+    pub numbers: Vec<u64>,
 }
 
 /// A tetrahedron that is turned inside out or has no volume, by the places of its corners.
@@ -75,7 +77,7 @@ impl Volume {
             }
         }
         let faces = order.iter().filter_map(|key| sides[key]).collect();
-        Self { nodes, elements, faces }
+        Self { nodes, elements, faces, numbers: vec![] }
     }
 
     /// Of tetrahedra by their corners, straight.

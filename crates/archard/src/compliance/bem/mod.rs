@@ -30,6 +30,7 @@ pub use interior::{Interior, Response};
 pub use kelvin::Evaluations;
 pub use making::{Making, Stage, Told};
 pub use patch::distance;
+pub(crate) use rigid::left_free;
 pub use size::{Size, memory};
 pub use solid::advice;
 pub use solid::{Assembled, Boundary, Condensed, Responses, Solid};

@@ -51,13 +51,18 @@ pub(super) fn free_modes(surface: &Surface, conditions: &Conditions) -> Vec<&'st
             }
         }
     }
+    left_free(held, SAME)
+}
+
+/// The motions that a symmetric matrix of six, by how firmly they are held, leaves free: those held by no more than that.
+pub(crate) fn left_free(mut held: [[f64; 6]; 6], least: f64) -> Vec<&'static str> {
     // Elimination with diagonal pivots: what has none left is free.
     let mut open: Vec<usize> = (0..6).collect();
     loop {
         let Some(&pivot) = open
             .iter()
             .max_by(|&&a, &&b| held[a][a].total_cmp(&held[b][b]))
-            .filter(|&&pivot| held[pivot][pivot] > SAME)
+            .filter(|&&pivot| held[pivot][pivot] > least)
         else {
             return open.into_iter().map(|mode| MODES[mode]).collect();
         };

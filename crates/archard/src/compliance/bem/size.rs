@@ -143,7 +143,12 @@ mod tests {
             quad([2, 0, 3, 5]),
         ];
         let mesh = Mesh { vertices: vec![[0.0; 3]; 6], faces, surfaces: vec![] };
-        Meshed { mesh, zone: Zone { faces: vec![0], grid: None }, placed: true, volume: None }
+        Meshed {
+            mesh,
+            zone: Zone { faces: vec![0], grid: None },
+            placed: true,
+            ..Meshed::default()
+        }
     }
 
     #[test]

@@ -110,7 +110,8 @@ fn stages_are_told_in_their_order() {
         _ => Condition::free(),
     };
     let conditions = Conditions::new(&surface, held, &zone).expect("it is held");
-    let meshed = Meshed { mesh: mesh.clone(), zone: Zone::default(), placed: true, volume: None };
+    let meshed =
+        Meshed { mesh: mesh.clone(), zone: Zone::default(), placed: true, ..Meshed::default() };
     let finite = Finite {
         meshed,
         curvatures: None,

@@ -93,6 +93,16 @@ impl OnNodes {
         share.all * (tractions[0] * t1 + tractions[1] * t2) + tractions[2] * share.normal
     }
 
+    /// The forces (N) of tractions (Pa) along its axes on nodes.
+    pub(super) fn forces(&self, tractions: &[f64; 3]) -> impl Iterator<Item = (usize, DVec3)> {
+        self.shares.iter().map(|(node, share)| (*node, self.force(tractions, *share)))
+    }
+
+    /// What it is displaced by along its axes, where nodes are displaced so.
+    pub(super) fn displaced(&self, at: impl Fn(usize) -> DVec3) -> [f64; 3] {
+        self.seen(self.shares.iter().map(|(node, share)| (*share, at(*node))))
+    }
+
     /// What it is displaced by along its axes, where what has shares of it is displaced so.
     fn seen(&self, displaced: impl Iterator<Item = (Share, DVec3)>) -> [f64; 3] {
         let [t1, t2, _] = self.basis;

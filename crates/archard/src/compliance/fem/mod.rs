@@ -9,6 +9,7 @@ mod factors;
 mod held;
 mod image;
 mod inside;
+mod reduced;
 mod stiffness;
 mod surplus;
 #[cfg(test)]
@@ -30,6 +31,7 @@ use stiffness::Stiffness;
 pub use bearing::{Carrier, OnNodes, places};
 pub use image::ImageField;
 pub use inside::Inside;
+pub use reduced::{Superelement, Unfit};
 
 /// A body in tetrahedra under its supports, its equations factorised.
 #[derive(Debug)]

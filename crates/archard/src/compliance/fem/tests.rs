@@ -1,3 +1,7 @@
+//! Finite elements inside bodies, and matrices of other programs in their place.
+
+mod reduced;
+
 use std::sync::Arc;
 
 use faer::Mat;

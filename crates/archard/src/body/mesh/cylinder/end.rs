@@ -31,7 +31,7 @@ impl Standing {
         self.inwards(rings, &rays, [last, longest[0]]);
         let [nx, ny] = self.contact.kept(mirrored);
         let zone = Zone { faces: (0..nx * ny).collect(), grid: Some([nx, ny]) };
-        Meshed { mesh: builder.finish(), zone, placed: false, volume: None }
+        Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() }
     }
 
     /// From the rim of the zone to the edge; returns the width of the last ring (m).

@@ -76,7 +76,7 @@ impl Lying {
         if let Layout::Even(_) = self.layout {
             self.round_out(&mut mesh, [&turn.angles, &bore]);
         }
-        Meshed { mesh, zone, placed: false, volume: None }
+        Meshed { mesh, zone, placed: false, ..Meshed::default() }
     }
 
     /// Moves vertices away from the axis until the sections within side and bore, polygons with these angles, have the

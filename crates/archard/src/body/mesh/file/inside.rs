@@ -31,6 +31,16 @@ impl Inside {
         Self { volume, mesh }
     }
 
+    /// What the file calls the nodes, as far as it has them.
+    pub fn numbers(&self) -> &[u64] {
+        &self.volume.numbers
+    }
+
+    /// The nodes of a zone, those on edges too, some of them several times.
+    pub fn nodes_of(&self, zone: &Zone) -> impl Iterator<Item = usize> {
+        zone.faces.iter().flat_map(|face| self.volume.faces[*face])
+    }
+
     /// Why it is no body: where a tetrahedron is turned inside out.
     pub fn fault(&self) -> Option<String> {
         let inverted = self.volume.inverted()?;
@@ -92,13 +102,13 @@ impl Inside {
                 face.corners = Corners::Triangle([a, c, b]);
             }
         }
-        Some(Meshed { mesh, zone: Zone::default(), placed: false, volume: Some(Arc::new(volume)) })
+        Some(Meshed { mesh, placed: false, volume: Some(Arc::new(volume)), ..Meshed::default() })
     }
 
     /// The body where it is, with a zone that may touch.
     pub fn placed(&self, zone: Zone) -> Meshed {
         let volume = Some(Arc::new(self.volume.clone()));
-        Meshed { mesh: self.mesh.clone(), zone, placed: true, volume }
+        Meshed { mesh: self.mesh.clone(), zone, placed: true, volume, reduced: None }
     }
 
     /// The triangles of the surface of that name.

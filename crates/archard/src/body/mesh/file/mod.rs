@@ -5,6 +5,7 @@ mod faces;
 mod gmsh;
 mod inp;
 mod inside;
+mod matrix;
 mod near;
 mod solid;
 mod source;
@@ -17,10 +18,13 @@ pub use error::{Fault, MeshFileError, Place};
 mod tests;
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
+use super::reduced::Holds;
 use super::{MOST_OF_A_FILE, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 use inside::Inside;
+use matrix::Matrix;
 use near::Near;
 use solid::Solid;
 
@@ -52,6 +56,16 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             "unit",
             Quantity::Word(&["m", "cm", "mm", "um", "nm", "in"]),
             "the unit of the coordinates; m unless given",
+        ),
+        Parameter::optional(
+            "compliance",
+            Quantity::File,
+            "the stiffness or flexibility of the body at the nodes of `contact`, in place of its elements: a superelement of Abaqus or CalculiX (.mtx), Nastran (DMIG) or in Matrix Market, with the same numbers of nodes",
+        ),
+        Parameter::optional(
+            "compliance_unit",
+            Quantity::Word(&matrix::WORDS),
+            "the unit of its values, one of stiffness or of flexibility; newtons in `unit` unless given",
         ),
     ],
     build: |values| {
@@ -85,7 +99,18 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             (_, Some(place)) => Contact::Near(Near::read(place, &mesh)?),
             (None, None) => Contact::None,
         };
-        Ok(Box::new(File { mesh, inside, contact, feature_angle }))
+        let matrix = match values.file("compliance") {
+            None => None,
+            Some((name, bytes)) => {
+                let unit = values.word("compliance_unit");
+                let unit = unit.and_then(|unit| matrix::UNITS.iter().find(|known| known.0 == unit));
+                let unit = unit.copied().unwrap_or(("", Holds::Stiffness, 1.0 / scale));
+                let matrix = Matrix::new(bytes, unit);
+                let matrix = matrix.map_err(|wrong| Invalid::new("compliance", wrong.of(name)))?;
+                Some((name.to_owned(), matrix))
+            }
+        };
+        Ok(Box::new(File { mesh, inside, contact, feature_angle, matrix }))
     },
 };
 
@@ -114,6 +139,8 @@ struct File {
     contact: Contact,
     /// Elements that turn by more (rad) meet in an edge of the body.
     feature_angle: f64,
+    /// How its nodes give way, and the file that says so.
+    matrix: Option<(String, Matrix)>,
 }
 
 /// What of a file may touch.
@@ -139,7 +166,7 @@ impl Shape for File {
             }
             Contact::Near(near) => near.zone(mesh, self.feature_angle, mirrored)?,
         };
-        Ok(Meshed { mesh, zone, placed: true, volume: None })
+        Ok(Meshed { mesh, zone, placed: true, ..Meshed::default() })
     }
 
     fn at_least(&self, _mirrored: [bool; 2], _held: &Supported) -> usize {
@@ -169,7 +196,16 @@ impl Shape for File {
                 inside.near(near.alike(&self.mesh, &inside.mesh)?, self.feature_angle)
             }
         };
-        Some(zone.map(|zone| inside.placed(zone)))
+        Some(zone.and_then(|zone| {
+            let reduced = match &self.matrix {
+                None => None,
+                Some((name, matrix)) => {
+                    let reduced = matrix.at(inside, &zone);
+                    Some(reduced.map_err(|wrong| MeshError::Matrix { message: wrong.of(name) })?)
+                }
+            };
+            Ok(Meshed { reduced: reduced.map(Arc::new), ..inside.placed(zone) })
+        }))
     }
 
     fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {

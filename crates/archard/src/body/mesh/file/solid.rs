@@ -27,7 +27,7 @@ pub(super) fn inside(
     place: impl Fn(u64) -> Option<[f64; 3]>,
     named: Vec<([u64; 3], String)>,
 ) -> Result<(Volume, Mesh), u64> {
-    let (mut places, mut indices) = (vec![], HashMap::new());
+    let (mut places, mut called, mut indices) = (vec![], vec![], HashMap::new());
     let mut read = vec![];
     for numbers in tetrahedra {
         let mut own = vec![];
@@ -37,6 +37,7 @@ pub(super) fn inside(
                 Some(index) => index,
                 None => {
                     places.push(place(*number).ok_or(*number)?);
+                    called.push(*number);
                     indices.insert(*number, places.len() - 1);
                     places.len() - 1
                 }
@@ -48,7 +49,7 @@ pub(super) fn inside(
             read.push(Tetrahedron::Four(four));
         }
     }
-    let volume = Volume::new(places, &read);
+    let volume = Volume { numbers: called, ..Volume::new(places, &read) };
     let mut surfaces: Vec<String> = vec![];
     let mut parts: HashMap<[usize; 3], usize> = HashMap::new();
     for (corners, name) in named {

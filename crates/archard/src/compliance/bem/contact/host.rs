@@ -8,7 +8,7 @@ use super::super::element::evaluate;
 use super::normals::Normals;
 use super::outline::outlines;
 use super::{super::surface::Surface, along};
-use crate::body::{Body, Elasticity, Finite, Interpolation};
+use crate::body::{Body, Finite, Interpolation};
 use crate::compliance::fem::{OnNodes, places};
 use crate::frame::Pairs;
 use crate::numerics::SAME;
@@ -51,7 +51,7 @@ impl<'a> Host<'a> {
         let sign = if first { 1.0 } else { -1.0 };
         let normals = Normals::new(finite, &surface);
         let Means { places, normals: at_nodes, areas } = match finite.elasticity {
-            Elasticity::FiniteElements => Means::new(finite, &surface, &normals),
+            own if own.bears() => Means::new(finite, &surface, &normals),
             _ => Means {
                 places: surface.tractions.iter().map(|node| node.place).collect(),
                 normals: normals.at_nodes(finite, &surface),
@@ -109,10 +109,14 @@ impl<'a> Host<'a> {
         self.in_frame(self.normals.at(index, &self.surface.patches[face], at))
     }
 
+    pub fn normals(&self) -> &Normals {
+        &self.normals
+    }
+
     /// The same at the pairs.
     fn rises(&self) -> Vec<f64> {
         let mut rises = vec![0.0; self.surface.tractions.len()];
-        if self.finite.elasticity == Elasticity::FiniteElements {
+        if self.finite.elasticity.bears() {
             return vec![0.0; self.contact.len()];
         }
         for (index, &face) in self.finite.meshed.zone.faces.iter().enumerate() {
@@ -151,7 +155,7 @@ impl<'a> Host<'a> {
     /// What a distance (m) along z, by the place in the frame, is along the normal of each pair: there, or in the mean where elements
     /// bear the contact, as they are displaced.
     pub fn closed<E>(&self, distance: impl Fn(DVec3) -> Result<f64, E>) -> Result<Vec<f64>, E> {
-        if self.finite.elasticity != Elasticity::FiniteElements {
+        if !self.finite.elasticity.bears() {
             let at = |pair: usize| Ok(distance(self.place(pair))? * self.closing(pair));
             return (0..self.contact.len()).map(at).collect();
         }
@@ -274,10 +278,10 @@ impl Means {
 }
 
 /// A place on the zone that stands for a part of it.
-struct Spot {
-    face: usize,
+pub(super) struct Spot {
+    pub face: usize,
     /// Its last two coordinates on that triangle.
-    at: [f64; 2],
+    pub at: [f64; 2],
     /// The area (m^2) that it stands for.
     area: f64,
     /// Its place (m) on the smooth surface and the outward normal there.
@@ -287,7 +291,7 @@ struct Spot {
 
 impl Spot {
     /// The nodes of tractions around it with their shares of the area (m^2).
-    fn shares(&self, surface: &Surface) -> impl Iterator<Item = (usize, f64)> {
+    pub fn shares(&self, surface: &Surface) -> impl Iterator<Item = (usize, f64)> {
         let shapes = surface.patches[self.face].element.shape.iter();
         let share = |shape| self.area * evaluate(shape, self.at);
         surface.tractions_of(self.face).zip(shapes.map(share))
@@ -295,7 +299,7 @@ impl Spot {
 }
 
 /// The places of a rule on the triangles of a zone.
-fn spots(finite: &Finite, surface: &Surface, normals: &Normals) -> Vec<Spot> {
+pub(super) fn spots(finite: &Finite, surface: &Surface, normals: &Normals) -> Vec<Spot> {
     let rule = places();
     let on_face = |(index, &face): (usize, &usize)| {
         let patch = &surface.patches[face];

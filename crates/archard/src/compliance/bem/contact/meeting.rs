@@ -6,13 +6,14 @@ use faer::Mat;
 use glam::DVec3;
 
 use super::super::solid::Condensed;
-use super::super::{Conditions, Surface, Told};
+use super::super::{Conditions, Surface, Told, Undetermined};
 use super::STEEP;
 use super::host::Host;
+use super::near::Near;
 use super::transfer::Transfer;
 use super::{Condense, Contact, ContactError, Job, half_space, supported};
-use crate::body::{Body, Elasticity, Interpolation};
-use crate::compliance::fem::{Carrier, Inside, OnNodes};
+use crate::body::{Body, Elasticity, Finite, Interpolation};
+use crate::compliance::fem::{Carrier, Inside, OnNodes, Superelement, Unfit};
 use crate::compliance::{Carried, Compliance, Dense};
 use crate::frame::{ContactFrame, OffTheSurface, Pairs, VectorField};
 use crate::numerics::SAME;
@@ -32,6 +33,8 @@ struct Side<'a> {
     conditions: Option<Conditions>,
     /// The pairs on the nodes inside it; of a body of finite elements.
     bearing: Option<Vec<OnNodes>>,
+    /// The matrix that says how these nodes give way; of a body that has one.
+    reduced: Option<Superelement>,
 }
 
 impl<'a> Meeting<'a> {
@@ -164,6 +167,7 @@ impl<'a> Meeting<'a> {
         let host = &side.host;
         let sign = if host.first { 1.0 } else { -1.0 };
         let (mut parts, mut balance, mut carriers) = (vec![], vec![], vec![]);
+        let mut near = vec![];
         // Gap by what the loads elsewhere displace: body 2 less body 1 along n.
         let mut part = |free: &[f64], sign: f64| {
             pairs.gap.iter_mut().zip(free).for_each(|(gap, free)| *gap += sign * free);
@@ -172,6 +176,9 @@ impl<'a> Meeting<'a> {
         if let Some(own) = side.carrier(bodies)? {
             part(&normal(own.free()), -sign);
             carriers.push(own);
+        } else if let Some((own, off)) = side.reduced(bodies, host)? {
+            parts.push(own);
+            near.push(off);
         } else if let Some(own) = side.condensed(bodies, condense)? {
             part(&normal(own.free), -sign);
             parts.push(own.compliance);
@@ -183,6 +190,9 @@ impl<'a> Meeting<'a> {
                 // It sees the pairs themselves.
                 part(&normal(own.free()), sign);
                 carriers.push(own);
+            } else if let Some((own, off)) = side.reduced(bodies, host)? {
+                parts.push(own);
+                near.push(off);
             } else if let Some(own) = side.condensed(bodies, condense)? {
                 part(&transfer.displacements(&own.free), sign);
                 // What is near is done at the pairs themselves, what is left is smooth.
@@ -203,9 +213,9 @@ impl<'a> Meeting<'a> {
         let frame = ContactFrame::described(pairs)?;
         let compliance: Arc<dyn Compliance> = if carriers.is_empty() {
             let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
-            Arc::new(Dense::new(&parts)?.balanced(balance))
+            Arc::new(Dense::new(&parts)?.balanced(balance).judged(near))
         } else {
-            Arc::new(Carried::new(&frame, carriers, (parts, balance)))
+            Arc::new(Carried::new(&frame, carriers, (parts, balance)).judged(near))
         };
         Ok(Contact { frame, compliance })
     }
@@ -223,7 +233,12 @@ impl<'a> Side<'a> {
             if steepest < STEEP && body.material.is_some() {
                 return Err(ContactError::Steep { body: which, angle });
             }
-            return Ok(Self { host, conditions: None, bearing: None });
+            return Ok(Self { host, conditions: None, bearing: None, reduced: None });
+        }
+        if finite.elasticity == Elasticity::Reduced {
+            let reduced = superelement(body, finite, which)?;
+            let bearing = host.bearing();
+            return Ok(Self { host, conditions: None, bearing, reduced: Some(reduced) });
         }
         if finite.elasticity == Elasticity::FiniteElements {
             // Nodes inside are held on several surfaces at once, as elements of their own are.
@@ -233,12 +248,12 @@ impl<'a> Side<'a> {
                 .map_err(|cause| ContactError::Undetermined { body: which, cause })?;
             let bearing = host.bearing().ok_or(ContactError::Hollow { body: which })?;
             let conditions = Some(Conditions::of_contact(&host.surface, &host.contact));
-            return Ok(Self { host, conditions, bearing: Some(bearing) });
+            return Ok(Self { host, conditions, bearing: Some(bearing), reduced: None });
         }
         let conditions =
             Conditions::new(&host.surface, |node| supported(finite, node), &host.contact)
                 .map_err(|cause| ContactError::Undetermined { body: which, cause })?;
-        Ok(Self { host, conditions: Some(conditions), bearing: None })
+        Ok(Self { host, conditions: Some(conditions), bearing: None, reduced: None })
     }
 
     /// Its equations; `None` if they do not tell how it deforms.
@@ -250,14 +265,33 @@ impl<'a> Side<'a> {
     /// The body with the pairs that it bears on its own elements, if it does.
     fn carrier(&self, bodies: [&Body; 2]) -> Result<Option<Carrier>, ContactError> {
         let (which, finite) = (self.host.which, self.host.finite);
-        let (Some(pairs), Some(volume), Some(material)) =
-            (&self.bearing, &finite.meshed.volume, &bodies[which].material)
+        let (Some(pairs), Some(volume), Some(material), None) =
+            (&self.bearing, &finite.meshed.volume, &bodies[which].material, &self.reduced)
         else {
             return Ok(None);
         };
         Carrier::new((finite, volume), material, pairs.clone())
             .map(Some)
             .map_err(|cause| ContactError::Singular { body: which, cause })
+    }
+
+    /// The compliance of a body by its matrix, at the pairs of a host, and how far that is off; `None` of one without.
+    fn reduced(
+        &self,
+        bodies: [&Body; 2],
+        host: &Host<'_>,
+    ) -> Result<Option<(Mat<f64>, Near)>, ContactError> {
+        let which = self.host.which;
+        let (Some(reduced), Some(pairs), Some(material)) =
+            (&self.reduced, &self.bearing, &bodies[which].material)
+        else {
+            return Ok(None);
+        };
+        let compliance = reduced.compliance(pairs);
+        let compliance =
+            compliance.map_err(|cause| ContactError::Singular { body: which, cause })?;
+        let near = Near::new(host, material, &compliance);
+        Ok(Some((compliance, near)))
     }
 
     /// The body condensed to its contact nodes; `None` if that does not tell how it deforms.
@@ -276,6 +310,22 @@ impl<'a> Side<'a> {
             .map(Some)
             .map_err(|cause| ContactError::Singular { body: which, cause })
     }
+}
+
+/// The matrix of a body at its nodes.
+fn superelement(body: &Body, finite: &Finite, which: usize) -> Result<Superelement, ContactError> {
+    let (Some(volume), Some(reduced), Some(material)) =
+        (&finite.meshed.volume, &finite.meshed.reduced, &body.material)
+    else {
+        let message = "there is no matrix of it".to_owned();
+        return Err(ContactError::Matrix { body: which, message });
+    };
+    Superelement::new((finite, volume), reduced, material).map_err(|unfit| match unfit {
+        Unfit::Wrong(message) => ContactError::Matrix { body: which, message },
+        Unfit::Free(modes) => {
+            ContactError::Undetermined { body: which, cause: Undetermined::Free { modes } }
+        }
+    })
 }
 
 /// The body whose nodes are the pairs: the meshed one; of two the one whose zone is plane, as rolling asks for, or the

@@ -8,6 +8,7 @@ mod fingerprint;
 mod half_space;
 mod host;
 mod meeting;
+mod near;
 mod normals;
 mod outline;
 mod project;
@@ -29,6 +30,7 @@ use crate::numerics::dense::Unsolved;
 use crate::numerics::large::NoMemory;
 
 pub use meeting::Meeting;
+pub(in crate::compliance) use near::Near;
 
 /// The cosine of 30 degrees. Normals that turn by more belong to two surfaces that meet in an edge, and to a zone for which no
 /// half-space stands and whose pairs meet along their own normals.
@@ -55,6 +57,14 @@ pub enum ContactError {
         body: usize,
         /// What is wrong.
         cause: Undetermined,
+    },
+    /// A matrix that says nothing of its body.
+    #[error("body {}: {message}", .body + 1)]
+    Matrix {
+        /// The body's index, 0 or 1.
+        body: usize,
+        /// What is wrong.
+        message: String,
     },
     /// Equations without a solution.
     #[error("body {}: {cause}; {}", .body + 1, advice(.cause))]

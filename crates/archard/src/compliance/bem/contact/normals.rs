@@ -20,7 +20,7 @@ use super::super::patch::Patch;
 use super::super::surface::Surface;
 use super::STEEP;
 use super::rim::turned;
-use crate::body::{Elasticity, Finite};
+use crate::body::Finite;
 use crate::numerics::WRITTEN;
 
 /// The outward normals of a zone at the corners of its elements.
@@ -47,7 +47,7 @@ impl Normals {
         let (all_around, mut corners): (Vec<_>, Vec<_>) = zone.iter().map(of).unzip();
         let edges = edges(finite);
         // Elements that bear the contact meet it up to the rim.
-        if finite.elasticity == Elasticity::FiniteElements && edges.is_none() {
+        if finite.elasticity.bears() && edges.is_none() {
             let vertices = |face: &usize| surface.corners[*face].as_slice().to_vec();
             let elements: Vec<Vec<usize>> = zone.iter().map(vertices).collect();
             turned(&elements, &finite.meshed.mesh.vertices, &mut corners, &all_around);
@@ -189,7 +189,7 @@ mod tests {
         // The four in the middle, all of whose corners have elements all around.
         let zone = Zone { faces: vec![5, 6, 9, 10], grid: None };
         Finite {
-            meshed: Meshed { mesh, zone, placed: true, volume: None },
+            meshed: Meshed { mesh, zone, placed: true, ..Meshed::default() },
             curvatures: Some([1.0 / RADIUS; 2]),
             supports: vec![],
             mirrored: [false; 2],

@@ -20,7 +20,6 @@ use super::ContactError;
 use super::STEEP;
 use super::host::Host;
 use super::project::{Hit, project, project_beside};
-use crate::body::Elasticity;
 use crate::compliance::fem::OnNodes;
 
 /// Points of the rule along each side of a host's element: edges of the other mesh run through it.
@@ -63,7 +62,7 @@ impl Transfer {
             ContactError::NotOpposite { body: host.which, place: place.sum::<DVec3>().to_array() }
         };
         let mut rows: Vec<Vec<(usize, f64)>> = vec![vec![]; host.contact.len()];
-        let carries = other.finite.elasticity == Elasticity::FiniteElements;
+        let carries = other.finite.elasticity.bears();
         let volume = other.finite.meshed.volume.as_ref().filter(|_| carries);
         let on_other = |basis: &[DVec3; 3]| {
             let turned = |unit: DVec3| {
@@ -76,7 +75,7 @@ impl Transfer {
             volume.map(|_| own_bases.iter().map(on_other).collect());
         let line = crate::numerics::quadrature::gauss_legendre(POINTS);
         // Elements that bear the contact meet it in the mean, as they are displaced.
-        let mean = host.finite.elasticity == Elasticity::FiniteElements;
+        let mean = host.finite.elasticity.bears();
         let mut means = vec![0.0; host.contact.len()];
         let sign = if host.first { 1.0 } else { -1.0 };
         for (index, (patch, pairs)) in own.iter().zip(&own_pairs).enumerate() {
