@@ -2,10 +2,13 @@
 //!
 //! Sums of rectangles (`corner.rs`), or of strips (`strip.rs`) under a line of contact, are exact for such tractions: at a point
 //! ([`Below::stress`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
-//! vary by within an element is added (`slope.rs`).
+//! vary by within an element is added (`slope.rs`). Where a body has layers (`layers.rs`), each adds images (`rest.rs`, `far.rs`).
 
 mod corner;
+mod far;
+mod layers;
 mod plane;
+mod rest;
 mod slope;
 mod strip;
 #[cfg(test)]
@@ -13,32 +16,45 @@ mod tests;
 mod waves;
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use crate::body::Material;
+use rayon::prelude::*;
+
+use crate::body::{Layer, Material};
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::Convolution;
 use crate::stress::Components;
+use layers::Layers;
+use rest::Rest;
 use waves::Waves;
+
+/// Elements that are summed up at once. A choice of effort.
+const CHUNK: usize = 4096;
 
 /// What is below even tractions on the elements of a uniform frame.
 ///
 /// Its axes are those of the body: x and y of the frame, z = 0 on the surface and negative in the body.
 pub struct Below {
+    /// The uppermost material.
     material: Material,
+    /// Its layers and what is below them.
+    layers: Option<Arc<Layers>>,
+    /// The one that it is asked about, whatever the depth; by the depth where there is none.
+    piece: Option<usize>,
     elements: [usize; 2],
     /// Size of an element along x and y (m).
     spacing: [f64; 2],
     /// The lowest corner of the frame (m).
     corner: [f64; 2],
     /// Tractions on the body along x and y, and into it (Pa), one value an element.
-    tractions: [Vec<f64>; 3],
+    tractions: Arc<[Vec<f64>; 3]>,
     /// In plane strain: how far below the contact (m) displacements are measured from.
     depth: Option<f64>,
     /// The corners of the elements, or the edges of strips, where tractions change (m), and by how much (Pa).
-    changes: Vec<([f64; 2], [f64; 3])>,
-    convolution: Convolution,
+    changes: Arc<Vec<([f64; 2], [f64; 3])>>,
+    convolution: Arc<Convolution>,
     /// The tractions as waves, where they repeat themselves with the frame.
-    waves: Option<Waves>,
+    waves: Option<Arc<Waves>>,
 }
 
 impl std::fmt::Debug for Below {
@@ -66,33 +82,80 @@ impl Below {
             .then(|| Self::on(*material, (elements, spacing, corner), tractions, depth))
     }
 
+    /// The same below layers from the surface down, with what is below them unless it is rigid.
+    #[must_use]
+    pub fn layered(self, layers: &[Layer], base: Option<&Material>) -> Self {
+        let Some(uppermost) = layers.first() else { return self };
+        let layers = Some(Arc::new(Layers::new(layers, base.copied())));
+        Self { material: uppermost.material, layers, ..self }
+    }
+
+    /// The same in one layer, or below all of them where the index is their number, whatever the depth that is asked for: on an
+    /// interface it is one side of it.
+    #[must_use]
+    pub fn within(&self, piece: usize) -> Self {
+        Self {
+            piece: Some(piece),
+            layers: self.layers.clone(),
+            tractions: self.tractions.clone(),
+            changes: self.changes.clone(),
+            convolution: self.convolution.clone(),
+            waves: self.waves.clone(),
+            ..*self
+        }
+    }
+
+    /// How deep (m) each layer begins and ends, then what is below them unless it is rigid: of a body without layers one.
+    pub fn pieces(&self) -> Vec<[f64; 2]> {
+        let of = |layers: &Arc<Layers>| (0..layers.count()).map(|own| layers.faces(own)).collect();
+        self.layers.as_ref().map_or(vec![[0.0, f64::INFINITY]], of)
+    }
+
+    /// By how much (Pa) images miss the stresses at a depth (m); nothing without layers.
+    pub fn missed(&self, depth: f64) -> f64 {
+        let Some((layers, piece)) = self.piece(depth) else { return 0.0 };
+        let largest = self.tractions.iter().flatten().fold(0.0, |most, t| t.abs().max(most));
+        layers.missed(piece) * largest
+    }
+
+    /// The layer at a depth (m).
+    fn piece(&self, depth: f64) -> Option<(&Layers, usize)> {
+        let layers = self.layers.as_ref()?;
+        Some((layers, self.piece.unwrap_or_else(|| layers.at(depth))))
+    }
+
+    /// The material at a depth (m).
+    fn material(&self, depth: f64) -> Material {
+        self.piece(depth).map_or(self.material, |(layers, piece)| layers.material(piece))
+    }
+
     fn on(
         material: Material,
         (elements, spacing, corner): ([usize; 2], [f64; 2], [f64; 2]),
         tractions: [Vec<f64>; 3],
         depth: Option<f64>,
     ) -> Self {
-        let convolution = Convolution::padded(elements);
-        let changes = vec![];
         let mut below = Self {
             material,
+            layers: None,
+            piece: None,
             elements,
             spacing,
             corner,
-            tractions,
+            tractions: Arc::new(tractions),
             depth,
-            changes,
-            convolution,
+            changes: Arc::default(),
+            convolution: Arc::new(Convolution::padded(elements)),
             waves: None,
         };
-        below.changes = below.changes();
+        below.changes = Arc::new(below.changes());
         below
     }
 
     /// The same under tractions that repeat themselves with the frame, whose elements are an even number or one along each axis.
     #[must_use]
     pub fn repeated(self) -> Self {
-        Self { waves: Some(Waves::on(self.elements)), ..self }
+        Self { waves: Some(Arc::new(Waves::on(self.elements))), ..self }
     }
 
     /// Whether tractions repeat themselves with the frame.
@@ -123,6 +186,7 @@ impl Below {
         let tractions = self.tractions.each_ref().map(mean);
         let coarser =
             Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth);
+        let coarser = Self { layers: self.layers.clone(), piece: self.piece, ..coarser };
         if self.waves.is_some() { coarser.repeated() } else { coarser }
     }
 
@@ -192,7 +256,9 @@ impl Below {
 
     /// Displacement (m) at a place (m) along x, y and z, from far away or, under a line of contact, from its depth.
     pub fn displacement(&self, place: [f64; 3]) -> [f64; 3] {
-        let (at, z, poisson) = ([place[0], place[1]], -place[2], self.material.poisson);
+        let (at, z) = ([place[0], place[1]], -place[2]);
+        let material = self.material(z);
+        let poisson = material.poisson;
         let mut sum = match self.depth {
             None => self.weighed(
                 at,
@@ -205,16 +271,66 @@ impl Below {
                 |functions| strip::displacement(functions, poisson, z),
             ),
         };
-        if let Some(depth) = self.depth {
-            let added = strip::from_depth(poisson, depth);
+        let (_, moved) = self.rest(at, z);
+        sum.iter_mut().zip(moved).for_each(|(sum, moved)| *sum += moved);
+        let mut moved = sum.map(|value| 0.5 * value / material.shear_modulus());
+        // Far away all is as in what is below the layers.
+        let base = self.layers.as_ref().map_or(Some(self.material), |layers| layers.base());
+        if let (Some(depth), Some(base)) = (self.depth, base) {
+            let added = strip::from_depth(base.poisson, depth);
             for axis in 0..3 {
                 let all: f64 = self.tractions[axis].iter().sum();
-                sum[axis] += added[axis] * all * self.spacing[0] / PI;
+                let each = all * self.spacing[0] / PI;
+                moved[axis] += 0.5 * added[axis] * each / base.shear_modulus();
             }
         }
-        let shear = self.material.young / (2.0 * (1.0 + poisson));
-        let [x, y, into] = sum.map(|value| value / (2.0 * shear));
+        let [x, y, into] = moved;
         [x, y, -into]
+    }
+
+    /// What layers add at a place and a depth (m) to the stress (Pa), and to the displacement times twice the shear modulus there, with z
+    /// into the body.
+    fn rest(&self, at: [f64; 2], z: f64) -> (Components, [f64; 3]) {
+        let nothing = ([0.0; 6], [0.0; 3]);
+        let Some((layers, piece)) = self.piece(z) else { return nothing };
+        let add = |sum: &mut (Components, [f64; 3]), own: &Rest, tractions: [f64; 3]| {
+            for ((stress, moved), t) in own.0.iter().zip(&own.1).zip(tractions) {
+                sum.0.iter_mut().zip(stress).for_each(|(sum, own)| *sum += t * own);
+                sum.1.iter_mut().zip(moved).for_each(|(sum, own)| *sum += t * own);
+            }
+        };
+        if self.depth.is_some() {
+            let (seen, mut sum) = (layers.seen(piece, z), nothing);
+            for (edge, change) in self.changes.iter() {
+                let own = rest::at_edge(&seen, at[0] - edge[0]);
+                add(&mut sum, &own, change.map(|change| change / PI));
+            }
+            return sum;
+        }
+        let far = layers.far(piece, z);
+        let half = self.spacing.map(|h| 0.5 * h);
+        let count = self.tractions[2].len();
+        let part = |first: usize| {
+            let mut sum = nothing;
+            for element in first..(first + CHUNK).min(count) {
+                let tractions = [0, 1, 2].map(|axis| self.tractions[axis][element]);
+                if tractions != [0.0; 3] {
+                    let place = self.place(element);
+                    let from = [0, 1].map(|axis| at[axis] - place[axis]);
+                    add(&mut sum, &far.element(from, half), tractions);
+                }
+            }
+            sum
+        };
+        // Summed up in the same order on any number of threads.
+        let firsts: Vec<usize> = (0..count).step_by(CHUNK).collect();
+        let parts: Vec<_> = firsts.into_par_iter().map(part).collect();
+        let mut sum = nothing;
+        for (stress, moved) in parts {
+            sum.0.iter_mut().zip(stress).for_each(|(sum, own)| *sum += own);
+            sum.1.iter_mut().zip(moved).for_each(|(sum, own)| *sum += own);
+        }
+        sum
     }
 
     /// The stress at the centre of an element, which may lie outside of the frame, `depth` (m) below it.
@@ -225,7 +341,7 @@ impl Below {
         let counts = self.elements;
         if (0..2).all(|axis| (0.0..counts[axis] as f64).contains(&index[axis])) {
             let element = index[0] as usize + counts[0] * index[1] as usize;
-            let added = self.varying(depth, element);
+            let added = self.varying(depth).at(self, element);
             stress.iter_mut().zip(added).for_each(|(sum, added)| *sum += added);
         }
         stress
@@ -233,8 +349,8 @@ impl Below {
 
     /// The stress (Pa) of even elements at a place and a depth (m); on the surface not finite at the edges of those that are pressed.
     pub fn even(&self, at: [f64; 2], z: f64) -> Components {
-        let poisson = self.material.poisson;
-        let stress = match self.depth {
+        let poisson = self.material(z).poisson;
+        let mut stress = match self.depth {
             None => self.weighed(
                 at,
                 |from| corner::functions(from, z),
@@ -246,6 +362,8 @@ impl Below {
                 |functions| strip::stress(functions, poisson),
             ),
         };
+        let (rest, _) = self.rest(at, z);
+        stress.iter_mut().zip(rest).for_each(|(sum, own)| *sum += own);
         turned(stress)
     }
 
@@ -258,7 +376,7 @@ impl Below {
         made: impl Fn(&[f64; F]) -> [[f64; N]; 3],
     ) -> [f64; N] {
         let mut sums = [[0.0; F]; 3];
-        for (corner, change) in &self.changes {
+        for (corner, change) in self.changes.iter() {
             let functions = functions([at[0] - corner[0], at[1] - corner[1]]);
             for (sums, change) in sums.iter_mut().zip(change) {
                 sums.iter_mut().zip(functions).for_each(|(sum, value)| *sum += change * value);
