@@ -93,15 +93,17 @@ impl Stack<'_> {
         let material = self.layers.get(piece).map(|layer| &layer.material).or(self.base);
         let Some(material) = material else { return [[0.0; 5]; 2] };
         let own = half_space(material);
-        let wave = |side: f64, [along, coupling, normal, across]: Scalars, borne: (Matrix<2>, f64)| {
-            let factors = [
-                [own[0] + side * along, side * (coupling - own[1])],
-                [side * (coupling - own[1]), own[2] + side * normal],
-            ];
-            let [shear, normal] = product(factors, borne.0).map(|row| row.map(|t| t / (2.0 * own[0])));
-            let across = 0.5 * borne.1 * (1.0 + side * across / own[3]);
-            [shear[0], normal[0], shear[1], normal[1], across]
-        };
+        let wave =
+            |side: f64, [along, coupling, normal, across]: Scalars, borne: (Matrix<2>, f64)| {
+                let factors = [
+                    [own[0] + side * along, side * (coupling - own[1])],
+                    [side * (coupling - own[1]), own[2] + side * normal],
+                ];
+                let [shear, normal] =
+                    product(factors, borne.0).map(|row| row.map(|t| t / (2.0 * own[0])));
+                let across = 0.5 * borne.1 * (1.0 + side * across / own[3]);
+                [shear[0], normal[0], shear[1], normal[1], across]
+            };
         let down = wave(1.0, faces[piece], borne);
         match passing.get(piece) {
             Some(layer) => [down, wave(-1.0, faces[piece + 1], through(borne, *layer))],

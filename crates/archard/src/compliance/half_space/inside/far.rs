@@ -168,7 +168,8 @@ impl Far {
             });
             let kernels = [(even, 1.0, 0), (times, image.from, 1)];
             for (kernel, factor, part) in kernels {
-                let [zz, ss, nn, sz, tz, ts, tn, tsz, nz, sn] = image.stress[part].map(|own| own * factor);
+                let [zz, ss, nn, sz, tz, ts, tn, tsz, nz, sn] =
+                    image.stress[part].map(|own| own * factor);
                 let apart = 0.5 * (ts - tn);
                 let own = [
                     zz * kernel[0],

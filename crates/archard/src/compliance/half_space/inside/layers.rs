@@ -129,7 +129,8 @@ impl Layers {
             let wanted: Vec<Tractions> = waves.iter().map(|&k| rest(k)[side]).collect();
             let fitted = fit((&behind, stack.reach()), &waves, (&wanted, longest));
             let (weights, missed) = fitted.unwrap_or((vec![], f64::INFINITY));
-            let image = |(behind, tractions): (&f64, Tractions)| Image { behind: *behind, tractions };
+            let image =
+                |(behind, tractions): (&f64, Tractions)| Image { behind: *behind, tractions };
             (behind.iter().zip(weights).map(image).collect(), missed)
         };
         // What comes down from the surface itself has been up from the interface before.
@@ -145,6 +146,26 @@ impl Layers {
         let [down, up] = &self.images(piece).faces;
         let down = down.iter().map(|image| image.seen(1.0, depth - top, poisson));
         down.chain(up.iter().map(|image| image.seen(-1.0, end - depth, poisson))).collect()
+    }
+
+    /// The components of a wave of tractions of that number (1/m) at a depth (m), in the order of those of [`Seen`].
+    pub fn wave(&self, piece: usize, depth: f64, k: f64) -> [f64; 10] {
+        let stack = Stack { layers: &self.layers, base: self.base.as_ref(), hollow: None };
+        let ([top, end], poisson) = (self.faces(piece), self.material(piece).poisson);
+        let mut sum = [0.0; 10];
+        let [down, up] = stack.waves(piece, k);
+        for (tractions, side, from) in [(down, 1.0, depth - top), (up, -1.0, end - depth)] {
+            if from.is_finite() {
+                let [even, times] =
+                    Image { behind: 0.0, tractions }.seen(side, from, poisson).stress;
+                let (q, decay) = (k * from, (-k * from).exp());
+                let both = even.iter().zip(times);
+                sum.iter_mut()
+                    .zip(both)
+                    .for_each(|(sum, (even, times))| *sum += decay * (even + q * times));
+            }
+        }
+        sum
     }
 
     /// What elements that are not close by do at a depth (m).

@@ -59,7 +59,8 @@ impl Below {
         let (line, poisson) = (self.depth.is_some(), self.material(depth).poisson);
         let scale = if line { PI } else { 2.0 * PI };
         let piece = self.piece(depth);
-        let seen = piece.filter(|_| line).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
+        let seen =
+            piece.filter(|_| line).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
         let corners: Vec<[[f64; 6]; 3]> = (0..nx * ny)
             .into_par_iter()
             .with_min_len(256)

@@ -38,7 +38,7 @@ pub(super) fn at_corner(seen: &[Seen], at: [f64; 2]) -> Rest {
 }
 
 /// The components by the functions E, c^2 E, c s E, i c E, i s E, i c s^2 E and i s c^2 E of a wave.
-fn components(
+pub(super) fn components(
     [e, cc, cs, ic, is, icss, iscc]: [f64; 7],
     &[zz, ss, nn, sz, tz, ts, tn, tsz, nz, sn]: &[f64; 10],
 ) -> [Components; 3] {
@@ -62,14 +62,7 @@ fn components(
             slant,
             tsz * others + nz * cc,
         ],
-        [
-            ss * cc + nn * others,
-            ss * others + nn * cc,
-            zz * e,
-            (ss - nn) * cs,
-            sz * ic,
-            sz * is,
-        ],
+        [ss * cc + nn * others, ss * others + nn * cc, zz * e, (ss - nn) * cs, sz * ic, sz * is],
     ]
 }
 

@@ -24,8 +24,7 @@ impl Below {
     /// What slopes add at a depth (m).
     pub(super) fn varying(&self, depth: f64) -> Varying {
         let n = 2.0 * self.material(depth).poisson;
-        let images =
-            self.piece(depth).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
+        let images = self.piece(depth).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
         let along = |axis: usize| {
             let h = self.spacing[axis];
             // The sums where a field decays over one distance and grows with another.
@@ -36,9 +35,12 @@ impl Below {
             let [even, times] = sums(depth, depth);
             let mut own = [2.0 * even - times, n * even, times, even, times];
             for image in &images {
-                for (sum, stress) in sums(image.distance, image.from).into_iter().zip(image.stress) {
+                for (sum, stress) in sums(image.distance, image.from).into_iter().zip(image.stress)
+                {
                     let [_, _, _, sz, tz, ts, tn, _, _, sn] = stress;
-                    own.iter_mut().zip([ts, tn, tz, sn, sz]).for_each(|(own, add)| *own += sum * add);
+                    own.iter_mut()
+                        .zip([ts, tn, tz, sn, sz])
+                        .for_each(|(own, add)| *own += sum * add);
                 }
             }
             own

@@ -90,19 +90,14 @@ fn hertz_pressures_on_layers_have_the_stresses_of_hankel_integrals() {
                     0,
                     [-0.315269, -0.171704, -0.366959, -0.014958, -0.162164, -0.015692],
                 ),
-                (
-                    [0.9, 0.1, 0.6],
-                    0,
-                    [-0.278725, -0.278725, -0.340664, 0.0, -0.258414, -0.027118],
-                ),
+                ([0.9, 0.1, 0.6], 0, [-0.278725, -0.278725, -0.340664, 0.0, -0.258414, -0.027118]),
             ],
         ),
     ];
     for (stack, mu, points) in all {
         let grids = [24, 48].map(|per_radius| under(ball(per_radius, mu, 1.0), stack));
         for &([x, y, z], piece, known) in points {
-            let [coarse, fine] =
-                grids.each_ref().map(|below| below.within(piece).even([x, y], z));
+            let [coarse, fine] = grids.each_ref().map(|below| below.within(piece).even([x, y], z));
             let limit = std::array::from_fn(|i| (4.0 * fine[i] - coarse[i]) / 3.0);
             let [xx, yy, zz, xy, xz, yz] = known;
             near(limit, [xx, yy, zz, xy, -xz, -yz], 3e-5);
@@ -258,7 +253,10 @@ fn equal_layers_are_a_half_space() {
             near(below.stress([x, y, -z]), plain.stress([x, y, -z]), 1e-12);
             let fields = below.plane(z);
             for (field, plain) in fields.iter().zip(plain.plane(z)) {
-                field.iter().zip(plain).for_each(|(own, plain)| assert!((own - plain).abs() < 1e-12));
+                field
+                    .iter()
+                    .zip(plain)
+                    .for_each(|(own, plain)| assert!((own - plain).abs() < 1e-12));
             }
         }
     }
@@ -278,6 +276,34 @@ fn a_plane_in_a_layer_holds_what_sums_at_its_places_say() {
                     [own.even(own.place(element), z), own.varying(z).at(&own, element)];
                 near(found, std::array::from_fn(|i| even[i] + added[i]), 1e-11);
             }
+        }
+    }
+}
+
+/// What repeats itself has the same stresses wave by wave: those of a spot in a wide frame, but for the even part, and crosses interfaces.
+#[test]
+fn waves_go_through_layers() {
+    let spot = |[x, y]: [f64; 2]| {
+        let pressure = (1.0 - x * x - y * y).max(0.0).sqrt();
+        [0.2 * pressure, -0.1 * pressure, pressure]
+    };
+    let alone = under(square([96, 96], 0.125, spot, None), TWO);
+    let repeated = under(square([96, 96], 0.125, spot, None), TWO).repeated();
+    for (piece, z) in [(0, 0.1), (0, 0.2), (1, 0.2), (1, 0.6), (2, 0.6), (2, 1.0)] {
+        let [one, other] = [&alone, &repeated].map(|below| below.within(piece));
+        let place = [0.0625, -0.3125, -z];
+        near(one.stress(place), other.stress(place), 0.03);
+        let plane = other.plane(z);
+        let element = 48 + 96 * 45;
+        let [x, y] = other.place(element);
+        let found = plane.each_ref().map(|field| field[element]);
+        near(found, other.stress([x, y, -z]), 1e-9);
+    }
+    for [piece, z] in [[0.0, 0.2], [1.0, 0.6]] {
+        let sides =
+            [0, 1].map(|side| repeated.within(piece as usize + side).stress([0.3, 0.1, -z]));
+        for c in [2, 4, 5] {
+            assert!((sides[0][c] - sides[1][c]).abs() < 1e-10);
         }
     }
 }
