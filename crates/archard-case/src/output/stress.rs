@@ -318,7 +318,7 @@ fn block(
         });
         // What is added does not grow with the pressures.
         let grows = wanted.initial == [0.0; 6];
-        let shear = pressed.shakes_down(maxima).filter(|_| grows && strengths.len() == 1);
+        let shear = pressed.shakes_down(maxima).filter(|_| grows);
         Some(json!({
             "strength_Pa": strength,
             "strength_from": from,

@@ -151,10 +151,11 @@ impl Pressed {
 
     /// The largest shear (Pa) along the surface, by which a line of contact that passes again and again shakes down after Melan
     /// (K. L. Johnson & J. A. Jefferis, *Symposium on Rolling Contact Fatigue*, 1963): residual stresses xx and yy are free, and
-    /// what is left is that shear, up to the strength in shear. `None` where it is no line, friction acts along it, or that shear is
-    /// not known on the surface.
+    /// what is left is that shear, up to the strength in shear. `None` where it is no line, friction acts along it, the body has layers,
+    /// whose strengths differ, or that shear is not known on the surface.
     pub fn shakes_down(&self, maxima: &Maxima) -> Option<f64> {
-        let plane = self.below.is_line() && !self.below.rubs_along(1);
+        let bare = self.below.pieces().len() == 1 && self.ground.is_infinite();
+        let plane = bare && self.below.is_line() && !self.below.rubs_along(1);
         maxima.largest(3).filter(|_| plane).map(|largest| largest.value)
     }
 
@@ -228,7 +229,7 @@ impl Pressed {
         let inner = |depth: &f64| *depth > top * (1.0 + SAME) && *depth < end * (1.0 - SAME);
         let known = self.known_depth() * (1.0 + SAME);
         let first = (top > 0.0 && top <= known).then_some(top);
-        let last = (end <= known).then_some(end);
+        let last = (end.is_finite() && end <= known).then_some(end);
         let inner =
             depths.iter().copied().filter(|depth| inner(depth) || *depth == top && top == 0.0);
         first.into_iter().chain(inner).chain(last).collect()
