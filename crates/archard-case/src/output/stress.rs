@@ -243,8 +243,10 @@ fn write_table(manifest: &mut Manifest, body: &Body, maxima: &Maxima) -> Result<
             let cells = [("Pa", sign * value), ("x_m", *x), ("y_m", *y)];
             row.extend(cells.map(|(unit, value)| (format!("{name}_{unit}"), number(value))));
         }
-        let share = layer.yields.map(|share| ("yielding_area".to_owned(), number(share)));
-        row.extend(share);
+        if maxima.layers.iter().any(|layer| layer.yields.is_some()) {
+            let share = layer.yields.map_or(String::new(), number);
+            row.push(("yielding_area".to_owned(), share));
+        }
         let row: Vec<(&str, String)> =
             row.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
         table.row(&row)?;

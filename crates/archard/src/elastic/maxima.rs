@@ -214,7 +214,7 @@ impl Pressed {
         let on_top = levels.map(|below| below.within(0));
         let [hx, hy] = self.below.spacing();
         let face = surface.below.plane(0.0);
-        let edges = edges(&surface.below, &surface.plane(hx.max(hy), initial));
+        let edges = edges(&surface.below, &surface.plane(hx.max(hy), initial), &face);
         let on_face = |of: Of| on_surface(on_top.each_ref(), (of, initial), (&face, &edges));
         let along = Side::MEASURES.map(|of| layered.then(|| on_face(of)).flatten());
         let interfaces = interfaces(self, levels, initial, &layers);
@@ -266,6 +266,7 @@ impl Pressed {
             measure(&stress)
         };
         let [h, _] = levels[0].spacing();
+        let [low, high] = [0, levels[0].pressure().len() - 1].map(|corner| levels[0].place(corner));
         let ends = [depths[0], depths[depths.len() - 1]];
         let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
         let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
@@ -276,6 +277,11 @@ impl Pressed {
                 let mut next = place;
                 next[axis] += side * step;
                 next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+                if !levels[0].repeats() {
+                    // A stress that fades from below leads away from the contact without end.
+                    next[axis] =
+                        if axis < 2 { next[axis].clamp(low[axis], high[axis]) } else { next[axis] };
+                }
                 let there = value(levels[0], next);
                 if there > best && self.knows(next) {
                     (place, best, higher) = (next, there, true);

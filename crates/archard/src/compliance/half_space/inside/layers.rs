@@ -87,7 +87,8 @@ impl Layers {
 
     /// How deep (m) a piece begins and ends.
     pub fn faces(&self, piece: usize) -> [f64; 2] {
-        let top: f64 = self.layers[..piece].iter().map(|layer| layer.thickness).sum();
+        let above = self.layers[..piece].iter();
+        let top = above.fold(0.0, |top, layer| top + layer.thickness);
         let end = self.layers.get(piece).map_or(f64::INFINITY, |layer| top + layer.thickness);
         [top, end]
     }
