@@ -195,8 +195,8 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
         let bodies = problem.bodies.each_ref();
         if let Some(pressed) = Pressed::in_contact(bodies, which, &problem.frame, &last.0) {
             let wanted = &resolved.case.points[which];
-            let found = pressed.points(wanted).map_err(|error| error.to_string())?;
-            points.extend(named(wanted, &found));
+            let found = pressed.both_sides(wanted).map_err(|error| error.to_string())?;
+            points.extend(named(&found.0, &found.1));
         }
     }
     Ok(Results { points, rows })

@@ -7,12 +7,14 @@
 mod edge;
 mod fatigue;
 mod half_space;
+mod interfaces;
 mod maxima;
 mod section;
 
 pub use fatigue::{Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
-pub use maxima::{Layer, Maxima, Maximum};
+pub use interfaces::{Interface, Side};
+pub use maxima::{Layer, Maxima, Maximum, Piece};
 pub use section::{Sampled, Section, SectionError};
 
 use glam::{DMat3, DVec3};
@@ -106,6 +108,20 @@ pub enum ElasticError {
         /// The point.
         point: Point,
     },
+    /// A point is in what does not deform.
+    #[error(
+        "the point `{}` at ({}, {}, {}) m lies below the layers, in rigid ground that has no stress",
+        .point.name, .point.place[0], .point.place[1], .point.place[2]
+    )]
+    Ground {
+        /// The point.
+        point: Point,
+    },
+    /// Pressures are cut, and layers carry their stresses farther than is known.
+    #[error(
+        "pressures go on beyond the frame, and layers carry stresses along: take a larger frame, so that the contact lies within it"
+    )]
+    Reach,
     /// The stress at a point depends on pressures beyond the frame.
     #[error(
         "the point `{}` at ({}, {}, {}) m lies too deep, or too near to a side of the frame, where pressures go on: take a larger frame, or points at most a quarter as deep as they are far from that side",
@@ -117,7 +133,7 @@ pub enum ElasticError {
     },
     /// The stresses at a depth depend on pressures beyond the frame.
     #[error(
-        "{depth} m below the surface they depend on pressures that go on beyond the frame: take a larger frame, or depths up to {known} m, a quarter of the way to its nearest side"
+        "{depth} m below the surface they are not known, which they are down to {known} m: to rigid ground, or, where pressures go on beyond the frame, to a quarter of the way to its nearest side; take lesser depths, or a larger frame"
     )]
     Deep {
         /// The depth (m).

@@ -2,6 +2,7 @@
 
 mod stress {
     mod criteria;
+    mod layers;
 }
 
 use std::f64::consts::PI;
@@ -30,7 +31,7 @@ fn pressed(contact: &Contact, which: usize, friction: impl Fn([f64; 2], f64) -> 
 
 /// The largest stresses, with an even one.
 fn largest(pressed: &Pressed, initial: Components) -> Maxima {
-    pressed.maxima(&pressed.depths(), (&initial, None), &mut |_, _| ()).unwrap()
+    pressed.maxima(&pressed.depths(), (&initial, &[]), &mut |_, _| ()).unwrap()
 }
 
 /// The largest stresses in body 1 or 2 of a contact, with friction in proportion to the pressure.

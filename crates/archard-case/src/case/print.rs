@@ -164,7 +164,7 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 }
 
 fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> fmt::Result {
-    let WantedStresses { depths, field, initial, strength, fatigue } = wanted;
+    let WantedStresses { depths, field, initial, strength, layer_strengths, fatigue, .. } = wanted;
     let WantedFatigue { crossland, dang_van, findley, fatemi_socie, smith_watson_topper } = fatigue;
     if depths.is_empty() {
         writeln!(f, "{key}.depths = \"auto\"")?;
@@ -180,6 +180,10 @@ fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> 
     }
     if let Some(strength) = strength {
         writeln!(f, "{key}.yield_strength = {}", si(*strength, "Pa"))?;
+    }
+    if !layer_strengths.is_empty() {
+        let each: Vec<String> = layer_strengths.iter().map(|own| si(*own, "Pa")).collect();
+        writeln!(f, "{key}.layer_strengths = [{}]", each.join(", "))?;
     }
     for (name, factor) in [
         ("crossland", crossland),

@@ -144,9 +144,9 @@ impl Inside {
             let first = [("body", body.clone())];
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
             if let Some(pressed) = self.pressed(bodies, which, frame, tractions) {
-                let found = pressed.points(points).map_err(failed)?;
+                let (points, found) = pressed.both_sides(points).map_err(failed)?;
                 if let Some(table) = &mut table {
-                    write_points(table, &first, (points, &found), |place| Some(-place[2]))?;
+                    write_points(table, &first, (&points, &found), |place| Some(-place[2]))?;
                 }
                 let sections: Vec<_> = sections.iter().map(|one| pressed.section(one)).collect();
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;

@@ -1,12 +1,14 @@
 //! The largest stresses in half-spaces, and whether they yield by them.
 
+use std::cmp::Ordering;
+
 use serde_json::{Map, Value, json};
 
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict::{self, Word};
 use archard::body::{Body, Material};
-use archard::elastic::{Criterion, Cycle, Maxima, Maximum, Pressed};
+use archard::elastic::{Criterion, Cycle, Interface, Maxima, Maximum, Piece, Pressed, Side};
 use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, TABOR};
 
@@ -24,6 +26,10 @@ pub struct WantedStresses {
     pub initial: Components,
     /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
     pub strength: Option<f64>,
+    /// The same of its layers, from the surface down; none where their hardness says it.
+    pub layer_strengths: Vec<f64>,
+    /// Indentation hardness (Pa) of its layers and of what is below them, where that is known.
+    pub hardness: Vec<Option<f64>>,
     /// Criteria of fatigue.
     pub fatigue: WantedFatigue,
 }
@@ -74,7 +80,29 @@ pub struct Stresses {
     pub(super) lines: Vec<verdict::Line>,
 }
 
+/// Where a strength is from.
+const GIVEN: &str = "yield_strength";
+
 impl WantedStresses {
+    /// The yield stress (Pa) of each layer and of what is below all, and where it is from.
+    fn strengths(&self, body: &Body) -> Vec<Option<(f64, &'static str)>> {
+        let count = body.layers.len();
+        let of = |piece: usize| {
+            let given = if piece < count {
+                self.layer_strengths.get(piece)
+            } else {
+                self.strength.as_ref()
+            };
+            let hardness = match count {
+                0 => body.known_hardness(),
+                _ => self.hardness.get(piece).copied().flatten(),
+            };
+            let by_hardness = || hardness.map(|hardness| (hardness / TABOR, "hardness / 2.8"));
+            given.map(|strength| (*strength, GIVEN)).or_else(by_hardness)
+        };
+        (0..=count).map(of).collect()
+    }
+
     /// The files of a body of that name.
     pub(super) fn files(&self, body: &str) -> Vec<String> {
         let field = self.field.then(|| field_file(body));
@@ -119,20 +147,25 @@ pub(super) fn write(
     pressed: &Pressed,
 ) -> Result<(Value, Vec<verdict::Line>), Error> {
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
-    let strength = wanted.strength.or(body.known_hardness().map(|hardness| hardness / TABOR));
+    let strengths = wanted.strengths(body);
+    let known: Vec<Option<f64>> = strengths.iter().map(|own| own.map(|(own, _)| own)).collect();
+    let strength = known[body.layers.len()];
     let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
     let mut see = |depth: f64, plane: &[Vec<f64>; 6]| {
         planes.iter_mut().for_each(|planes| planes.add(depth, plane));
     };
-    let Some(maxima) = pressed.maxima(&depths, (&wanted.initial, strength), &mut see) else {
+    let Some(maxima) = pressed.maxima(&depths, (&wanted.initial, &known), &mut see) else {
         return Ok((Value::Null, vec![]));
     };
-    write_table(manifest, &body.name, &maxima)?;
+    write_table(manifest, body, &maxima)?;
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
-    let mut lines = judged((body, strength), &maxima);
-    let mut block = block(pressed, &maxima, (wanted, strength));
+    let mut lines = judged((body, &known), &maxima);
+    let mut block = block(pressed, &maxima, (wanted, &strengths));
+    if !body.layers.is_empty() {
+        add_layers(&mut block, (&maxima, pressed.peak()));
+    }
     if wanted.fatigue.is_wanted() && matches!(passing, Passing::Cycle(None)) {
         let why = format!(
             "fatigue of `{}` is not known: the run did not see its last cycle whole; run it again, from its start",
@@ -171,10 +204,22 @@ pub(super) fn write(
 }
 
 /// Whether the body yields, and how far off its largest stresses may be.
-fn judged((body, strength): (&Body, Option<f64>), maxima: &Maxima) -> Vec<verdict::Line> {
+fn judged((body, strengths): (&Body, &[Option<f64>]), maxima: &Maxima) -> Vec<verdict::Line> {
     let largest = maxima.largest(0);
-    let yields = largest.zip(strength);
-    let yields = yields.map(|(own, strength)| verdict::yields(own.value / strength, &body.name));
+    let used = maxima.pieces.iter().filter_map(|piece| {
+        let share = maxima.largest_in(piece, 0)?.value / strengths[piece.index]?;
+        Some((share, piece.index))
+    });
+    let most = used.max_by(|one, other| one.0.total_cmp(&other.0));
+    let yields = most.map(|(share, index)| {
+        let layers = body.layers.len();
+        let name = if index < layers {
+            format!("{}, layer {}", body.name, index + 1)
+        } else {
+            body.name.clone()
+        };
+        verdict::yields(share, &name)
+    });
     let of = format!("largest equivalent stress of `{}`", body.name);
     let stated = largest.filter(|own| own.value > 0.0);
     let stated = stated.map(|own| verdict::measured(own.error / own.value, &of));
@@ -182,17 +227,26 @@ fn judged((body, strength): (&Body, Option<f64>), maxima: &Maxima) -> Vec<verdic
 }
 
 /// A row a depth.
-fn write_table(manifest: &mut Manifest, body: &str, maxima: &Maxima) -> Result<(), Error> {
-    let mut table = Table::create(manifest.claim(&table_file(body))?)?;
+fn write_table(manifest: &mut Manifest, body: &Body, maxima: &Maxima) -> Result<(), Error> {
+    let mut table = Table::create(manifest.claim(&table_file(&body.name))?)?;
     for layer in &maxima.layers {
         let mut row = vec![("depth_m".to_owned(), number(layer.depth))];
+        if !body.layers.is_empty() {
+            row.push(("layer".to_owned(), (layer.piece + 1).to_string()));
+        }
         for ((name, _), (value, [x, y])) in MEASURES.iter().zip(&layer.largest) {
             let cells = [("Pa", value), ("x_m", x), ("y_m", y)];
             row.extend(cells.map(|(unit, value)| (format!("{name}_{unit}"), number(*value))));
         }
         row.push(("mean_von_mises_Pa".to_owned(), number(layer.mean)));
-        let share = layer.yields.map(|share| ("yielding_area".to_owned(), number(share)));
-        row.extend(share);
+        for ((name, sign), (value, [x, y])) in FACES.iter().zip(&layer.faces) {
+            let cells = [("Pa", sign * value), ("x_m", *x), ("y_m", *y)];
+            row.extend(cells.map(|(unit, value)| (format!("{name}_{unit}"), number(value))));
+        }
+        if maxima.layers.iter().any(|layer| layer.yields.is_some()) {
+            let share = layer.yields.map_or(String::new(), number);
+            row.push(("yielding_area".to_owned(), share));
+        }
         let row: Vec<(&str, String)> =
             row.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
         table.row(&row)?;
@@ -201,23 +255,53 @@ fn write_table(manifest: &mut Manifest, body: &str, maxima: &Maxima) -> Result<(
     table.sync()
 }
 
+/// Names of what is sought along the surface and across it at faces of layers, and the sign it is kept with.
+const FACES: [(&str, f64); 4] = [
+    ("along_surface_most", 1.0),
+    ("along_surface_least", -1.0),
+    ("zz_most", 1.0),
+    ("zz_least", -1.0),
+];
+
+/// Adds what there is in each layer and at each interface.
+fn add_layers(block: &mut Value, (maxima, peak): (&Maxima, f64)) {
+    let one = |own: &Maximum| one(own, peak);
+    let side = |side: &Side| json!({ FACES[0].0: one(&side.most), FACES[1].0: one(&side.least) });
+    let interface = |own: &Interface| {
+        json!({
+            "depth_m": own.depth,
+            FACES[2].0: one(&own.pull),
+            FACES[3].0: one(&own.press),
+            MEASURES[3].0: one(&own.shear),
+            "above": side(&own.above),
+            "below": own.below.as_ref().map(side),
+        })
+    };
+    block["interfaces"] = maxima.interfaces.iter().map(interface).collect();
+    for ((name, _), own) in FACES.iter().zip(&maxima.face) {
+        block["surface"][name] = json!(own.as_ref().map(one));
+    }
+}
+
+fn one(own: &Maximum, peak: f64) -> Value {
+    json!({
+        "value_Pa": own.value,
+        "error_Pa": own.error,
+        "order": own.order,
+        "over_peak_pressure": own.value / peak,
+        "x_m": own.place[0],
+        "y_m": own.place[1],
+        "depth_m": 0.0 - own.place[2],
+    })
+}
+
 fn block(
     pressed: &Pressed,
     maxima: &Maxima,
-    (wanted, strength): (&WantedStresses, Option<f64>),
+    (wanted, strengths): (&WantedStresses, &[Option<(f64, &'static str)>]),
 ) -> Value {
-    let peak = pressed.below.pressure().iter().copied().fold(0.0, f64::max);
-    let one = |own: &Maximum| {
-        json!({
-            "value_Pa": own.value,
-            "error_Pa": own.error,
-            "order": own.order,
-            "over_peak_pressure": own.value / peak,
-            "x_m": own.place[0],
-            "y_m": own.place[1],
-            "depth_m": 0.0 - own.place[2],
-        })
-    };
+    let peak = pressed.peak();
+    let one = |own: &Maximum| one(own, peak);
     let all = |of: [Option<Maximum>; 4]| -> Value {
         let each = MEASURES.iter().zip(of);
         Value::Object(
@@ -225,28 +309,51 @@ fn block(
                 .collect(),
         )
     };
-    let yields = strength.map(|strength| {
-        let largest = maxima.largest(0);
+    let yields = |piece: &Piece| {
+        let (strength, from) = strengths[piece.index]?;
+        let largest = maxima.largest_in(piece, 0);
         let utilisation = largest.map(|own| own.value / strength);
         let state = utilisation.map(|utilisation| match utilisation {
-            _ if peak > TABOR * strength => "beyond the hardness",
+            _ if piece.index == 0 && peak > TABOR * strength => "beyond the hardness",
             utilisation if utilisation > 1.0 => "contained plasticity",
             _ => "elastic",
         });
-        let given = wanted.strength.is_some();
         // What is added does not grow with the pressures.
         let grows = wanted.initial == [0.0; 6];
         let shear = pressed.shakes_down(maxima).filter(|_| grows);
-        json!({
+        Some(json!({
             "strength_Pa": strength,
-            "strength_from": if given { "yield_strength" } else { "hardness / 2.8" },
+            "strength_from": from,
             "utilisation": utilisation,
             "utilisation_error": largest.map(|own| own.error / strength),
             "depth_m": largest.map(|own| 0.0 - own.place[2]),
             "first_yield_load_factor": utilisation.filter(|_| grows).map(f64::recip),
             "shakedown_load_factor": shear.map(|shear| strength / 3f64.sqrt() / shear),
             "state": state,
-        })
+        }))
+    };
+    let used = |piece: &&Piece| {
+        let (strength, _) = strengths[piece.index]?;
+        Some(maxima.largest_in(piece, 0).map_or(f64::INFINITY, |own| own.value / strength))
+    };
+    let known = maxima.pieces.iter().filter(|piece| used(piece).is_some());
+    let most = known.max_by(|a, b| used(a).partial_cmp(&used(b)).unwrap_or(Ordering::Equal));
+    let mut block = json!({
+        "inside": all(maxima.inside.map(Some)),
+        "surface": all(maxima.surface),
+        "yield": most.and_then(yields),
     });
-    json!({ "inside": all(maxima.inside.map(Some)), "surface": all(maxima.surface), "yield": yields })
+    if strengths.len() > 1 {
+        let layer = |piece: &Piece| {
+            json!({
+                "layer": piece.index + 1,
+                "from_m": piece.ends[0],
+                "to_m": Some(piece.ends[1]).filter(|end| end.is_finite()),
+                "inside": all(piece.inside.map(Some)),
+                "yield": yields(piece),
+            })
+        };
+        block["layers"] = maxima.pieces.iter().map(layer).collect();
+    }
+    block
 }

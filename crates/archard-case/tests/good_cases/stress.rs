@@ -44,3 +44,15 @@ fn what_is_asked_of_stresses_reads_back() {
         assert!(!case.stresses[0].as_ref().unwrap().field);
     }
 }
+
+#[test]
+fn strengths_of_layers_read_back_and_hardness_stands_for_them() {
+    let layers = r#"layers = [{ young = "300 GPa", poisson = 0.2, thickness = "3 um", hardness = "14 GPa" }, { young = "250 GPa", poisson = 0.3, thickness = "1 um" }]"#;
+    let coated = BALL.replace("profile.flat = {}", &format!("{layers}\nprofile.flat = {{}}"));
+    let more = "flat = { layer_strengths = [\"5 GPa\", \"900 MPa\"] }\n";
+    let case = case(&(coated + more));
+    reads_back(&case);
+    let wanted = case.stresses[1].as_ref().unwrap();
+    assert_eq!(wanted.layer_strengths, [5e9, 900e6]);
+    assert_eq!(wanted.hardness, [Some(14e9), None, None]);
+}

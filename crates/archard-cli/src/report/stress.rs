@@ -14,6 +14,17 @@ const MEASURES: [(&str, &str); 4] = [
     ("orthogonal_shear", "shear parallel to the surface"),
 ];
 
+/// What is looked for at an interface of layers.
+const INTERFACES: [(&str, &str); 7] = [
+    ("/above/along_surface_most", "largest stress along the surface above"),
+    ("/above/along_surface_least", "least stress along the surface above"),
+    ("/below/along_surface_most", "largest stress along the surface below"),
+    ("/below/along_surface_least", "least stress along the surface below"),
+    ("/zz_most", "largest stress across the layers"),
+    ("/zz_least", "least stress across the layers"),
+    ("/orthogonal_shear", "shear parallel to the surface"),
+];
+
 /// A row a largest stress; without rows where none was asked for.
 pub(super) fn table(results: &Results) -> Table {
     let bodies = results.summary["stress"].as_object();
@@ -24,7 +35,17 @@ pub(super) fn table(results: &Results) -> Table {
                 .iter()
                 .filter_map(move |(name, what)| row(&block[key][name], body, (what, place)))
         });
-        all.chain(used(&block["yield"], body))
+        let crossing = block["interfaces"].as_array().into_iter().flatten();
+        let crossing = crossing.flat_map(move |own| {
+            INTERFACES.iter().filter_map(move |(path, what)| {
+                row(own.pointer(path)?, body, (what, "at the interface"))
+            })
+        });
+        let on_top = INTERFACES[..2].iter().filter_map(move |(path, what)| {
+            let own = block["surface"].pointer(path.trim_start_matches("/above"))?;
+            row(own, body, (what.trim_end_matches(" above"), "on the surface"))
+        });
+        all.chain(on_top).chain(crossing).chain(used(&block["yield"], body))
     });
     Table {
         caption: "The largest stresses at the end, tension positive, with what the size of elements leaves open".to_owned(),

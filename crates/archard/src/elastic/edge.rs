@@ -49,9 +49,9 @@ impl AtEdge {
     }
 }
 
-/// The edges of the largest measures, by the stresses in a plane an element deep. None where tractions repeat themselves: their waves end
+/// The edges of the largest measures, by the stresses in a plane an element deep and those on the surface. None where tractions repeat themselves: their waves end
 /// at no edge, so that nothing can be extrapolated to one.
-pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
+pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6], face: &[Vec<f64>; 6]) -> Vec<AtEdge> {
     if below.repeats() {
         return vec![];
     }
@@ -78,7 +78,7 @@ pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
     };
     let chosen: BTreeSet<usize> = MEASURES.iter().flat_map(largest).collect();
     let edge = |element: usize| {
-        let mut edge = at_edge(below, element)?;
+        let mut edge = at_edge(below, element, face)?;
         if below.is_line() {
             return Some(edge);
         }
@@ -88,14 +88,14 @@ pub(super) fn edges(below: &Below, plane: &[Vec<f64>; 6]) -> Vec<AtEdge> {
         let low = (1..=wide.min(index)).map(|row| element - row * step);
         let high = (1..=wide.min([nx, ny][axis] - 1 - index)).map(|row| element + row * step);
         let rows = low.chain(high);
-        edge.rows = rows.filter_map(|next| Some(at_edge(below, next)?.stress[0])).collect();
+        edge.rows = rows.filter_map(|next| Some(at_edge(below, next, face)?.stress[0])).collect();
         (!edge.rows.is_empty()).then_some(edge)
     };
     chosen.into_par_iter().filter_map(edge).collect()
 }
 
 /// At the edge next to an element; `None` where pressures do not fall to zero as they do at a smooth edge.
-fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
+fn at_edge(below: &Below, element: usize, face: &[Vec<f64>; 6]) -> Option<AtEdge> {
     let line = Line::outward(below, element)?;
     // Squares of pressures behind the last pressed element, and how far inside of the first of these the edge lies, in elements.
     let [near, next, far] = [1, 2, 3].map(|inward| line.pressure(-inward).powi(2));
@@ -114,7 +114,12 @@ fn at_edge(below: &Below, element: usize) -> Option<AtEdge> {
     if (1..=OPEN as isize).any(|outward| line.pressure(outward) > 0.0) {
         return None;
     }
-    let stresses: Vec<Components> = open.iter().map(|(place, _)| below.even(*place, 0.0)).collect();
+    // Below the centre of an open element the plane has no more than even elements make.
+    let stress = |outward: isize| match line.element(outward) {
+        Some(element) => face.each_ref().map(|field| field[element]),
+        None => below.even(line.place(outward as f64), 0.0),
+    };
+    let stresses: Vec<Components> = (1..=OPEN as isize).map(stress).collect();
     let limit = |from: usize, powers: &[f64]| -> Components {
         let (distances, found) = (&open[from..from + FITTED], &stresses[from..from + FITTED]);
         let terms = Mat::from_fn(FITTED, powers.len(), |i, j| distances[i].1.powf(powers[j]));

@@ -6,6 +6,7 @@ use super::{ElasticError, Point, Response, Sampled, Section};
 use crate::body::Body;
 use crate::compliance::half_space::inside::Below;
 use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::SAME;
 use crate::stress::Components;
 
 /// How deep below a side of the frame, relative to the distance from it, stresses are known where pressures go on beyond that side:
@@ -21,17 +22,22 @@ pub struct Pressed {
     pub below: Below,
     /// The sides that pressures are cut at, along x and y the lower and the upper (m); infinitely far away where they are not.
     sides: [[f64; 2]; 2],
+    /// How deep (m) there is rigid ground.
+    pub(super) ground: f64,
 }
 
 impl Pressed {
     /// Why stresses inside a body cannot be had from the tractions of a frame alone; `None` where they can.
     pub fn refuses(bodies: [&Body; 2], which: usize) -> Option<&'static str> {
         let body = bodies[which];
-        if body.material.is_none() {
+        if body.uppermost().is_none() {
             return Some("is rigid and has no stress");
         }
-        if !body.layers.is_empty() {
-            return Some("has layers, whose stresses are not computed");
+        let round = bodies.iter().all(|body| body.profile.fitted().is_some());
+        if round && !body.layers.is_empty() {
+            return Some(
+                "has layers that are round as the other body is, whose stresses are not computed",
+            );
         }
         if body.finite.as_ref().is_some_and(|_| !body.has_image()) {
             return Some(
@@ -65,15 +71,32 @@ impl Pressed {
         let [t1, t2] = [&tractions.t1, &tractions.t2].map(|own| turned(own));
         let own = VectorField { t1, t2, n: tractions.n.clone() };
         let depth = Body::depths(bodies, frame.size()[0])[which];
-        let below = Below::new(bodies[which].material.as_ref()?, frame, &own, depth)?;
-        Some(Self { sides: cut(frame, below.pressure()), below })
+        let body = bodies[which];
+        // Layers on a round surface are round themselves.
+        if !body.layers.is_empty() && frame.wrap().is_some() {
+            return None;
+        }
+        let below = Below::new(body.uppermost()?, frame, &own, depth)?;
+        let below = below.layered(&body.layers, body.material.as_ref());
+        let ground = if body.material.is_some() { f64::INFINITY } else { body.coated() };
+        let mut sides = cut(frame, below.pressure());
+        if !body.layers.is_empty() && sides.as_flattened().iter().any(|side| side.is_finite()) {
+            // Layers carry stresses of pressures beyond the frame farther than a half-space does.
+            sides = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        }
+        Some(Self { below, sides, ground })
     }
 
     /// The same where tractions repeat themselves with the frame, whose elements are an even number or one along each axis: nothing is cut.
     #[must_use]
     pub fn repeated(self) -> Self {
         let far = [f64::NEG_INFINITY, f64::INFINITY];
-        Self { sides: [far; 2], below: self.below.repeated() }
+        Self { sides: [far; 2], below: self.below.repeated(), ..self }
+    }
+
+    /// The same in one of its layers, or below all of them: see [`Below::within`].
+    pub(super) fn within(&self, piece: usize) -> Self {
+        Self { below: self.below.within(piece), ..*self }
     }
 
     /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
@@ -85,14 +108,26 @@ impl Pressed {
         })
     }
 
+    /// Displacement and stress below an interface of layers at a place (m), where [`at`](Self::at) has those above it; `None` where there
+    /// is no interface.
+    pub fn under(&self, place: [f64; 3]) -> Option<Response> {
+        let pieces = self.below.pieces();
+        let near = |[top, _]: &[f64; 2]| (place[2] + top).abs() <= SAME * top;
+        let piece = (1..pieces.len()).find(|piece| near(&pieces[*piece]))?;
+        self.within(piece).at(place)
+    }
+
     /// Displacement and stress at points.
     ///
     /// # Errors
-    /// If a point lies above the surface, or its stress depends on pressures beyond the frame.
+    /// If a point lies above the surface or in rigid ground, or its stress depends on pressures beyond the frame.
     pub fn points(&self, points: &[Point]) -> Result<Vec<Response>, ElasticError> {
         let at = |point: &Point| {
             let wrong = || match point.place[2] > 0.0 {
                 true => ElasticError::Outside { point: point.clone() },
+                false if !self.is_solid(point.place) => {
+                    ElasticError::Ground { point: point.clone() }
+                }
                 false => ElasticError::Cut { point: point.clone() },
             };
             self.at(point.place).ok_or_else(wrong)
@@ -100,9 +135,32 @@ impl Pressed {
         points.iter().map(at).collect()
     }
 
+    /// The same with the points: of one on an interface of layers both what is above and, as a point of its own, what is below.
+    ///
+    /// # Errors
+    /// As [`Pressed::points`].
+    pub fn both_sides(
+        &self,
+        points: &[Point],
+    ) -> Result<(Vec<Point>, Vec<Response>), ElasticError> {
+        let found = self.points(points)?;
+        let each = points.iter().zip(found).flat_map(|(point, found)| {
+            let name = format!("{} (below the interface)", point.name);
+            let under = self.under(point.place);
+            let under = under.map(|found| (Point { name, ..point.clone() }, found));
+            [(point.clone(), found)].into_iter().chain(under)
+        });
+        Ok(each.unzip())
+    }
+
     /// Displacement and stress on a section; places where they are not known are left out.
     pub fn section(&self, section: &Section) -> Sampled {
         section.responses(None, |place: DVec3| self.at(section.below_zero(place)?.to_array()))
+    }
+
+    /// The largest pressure (Pa).
+    pub fn peak(&self) -> f64 {
+        self.below.pressure().iter().copied().fold(0.0, f64::max)
     }
 
     /// How deep (m) stresses are known below the centre of an element, where they are deepest.
@@ -111,7 +169,8 @@ impl Pressed {
             let [x, y] = self.below.place(element);
             KNOWN * self.distance_to_sides([x, y, 0.0])
         };
-        (0..self.below.pressure().len()).map(depth).fold(0.0, f64::max)
+        let known = (0..self.below.pressure().len()).map(depth).fold(0.0, f64::max);
+        known.min(self.ground)
     }
 
     /// Complains about the first of these depths (m) that stresses are not known at.
@@ -120,13 +179,21 @@ impl Pressed {
     /// If there is one.
     pub fn check(&self, depths: &[f64]) -> Result<(), ElasticError> {
         let known = self.known_depth();
+        if known == 0.0 {
+            return Err(ElasticError::Reach);
+        }
         let deep = depths.iter().copied().find(|depth| *depth > known);
         deep.map_or(Ok(()), |depth| Err(ElasticError::Deep { depth, known }))
     }
 
     /// Whether the stress at a place (m) depends on the pressures of the frame alone.
     pub(super) fn knows(&self, place: [f64; 3]) -> bool {
-        -place[2] <= KNOWN * self.distance_to_sides(place)
+        -place[2] <= KNOWN * self.distance_to_sides(place) && self.is_solid(place)
+    }
+
+    /// Whether a place (m) is not in rigid ground, by more than rounding.
+    fn is_solid(&self, place: [f64; 3]) -> bool {
+        -place[2] <= self.ground * (1.0 + SAME)
     }
 
     /// How far (m) a place is from the sides that pressures are cut at.

@@ -8,8 +8,13 @@ use rayon::prelude::*;
 
 use super::Pressed;
 use super::edge::{AtEdge, edges};
+use super::interfaces::{Interface, SOUGHT, Side, interfaces};
 use crate::compliance::half_space::inside::Below;
+use crate::numerics::SAME;
 use crate::stress::{Components, MEASURES};
+
+/// A measure of a stress (Pa).
+pub(super) type Of = fn(&Components) -> f64;
 
 /// Ratio of two depths that follow each other: a maximum is sought from the largest stress at any. A choice of effort.
 const RATIO: f64 = 1.25;
@@ -21,6 +26,10 @@ const AROUND: isize = 3;
 /// The least and the greatest order that a field can have: that of a root of the distance, at an edge or where stick ends, and that of
 /// even elements.
 const ORDERS: [f64; 2] = [0.5, 2.0];
+
+/// What the errors by elements of three sizes are multiplied by, as elements stand out from an edge otherwise on each of them
+/// (P. J. Roache, *J. Fluids Eng.* 116 (1994) 405).
+const SAFETY: f64 = 1.25;
 
 /// A largest stress.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,12 +49,17 @@ pub struct Maximum {
 pub struct Layer {
     /// How deep (m).
     pub depth: f64,
+    /// The index of the layer it is in, from the surface down.
+    pub piece: usize,
     /// The largest value of each measure (Pa) below a centre of an element, and where along x and y (m).
     pub largest: [(f64, [f64; 2]); 4],
     /// The mean of the equivalent stress (Pa) below all that is pressed.
     pub mean: f64,
     /// The area (relative to that pressed) that yields, where the strength is known.
     pub yields: Option<f64>,
+    /// In a body with layers: the largest and the least normal stress along the surface, then across it (Pa, the least with its sign
+    /// reversed), and the largest shear along it, each with its place along x and y (m).
+    pub faces: Vec<(f64, [f64; 2])>,
 }
 
 /// The largest stresses of a body.
@@ -56,8 +70,25 @@ pub struct Maxima {
     /// On the surface, at an edge of the contact extrapolated to elements without size; `None` where the pressure does not fall to
     /// zero there as it does at a smooth edge, so that the stress has no bound or is not resolved.
     pub surface: [Option<Maximum>; 4],
-    /// The planes that were looked at, from above.
+    /// The planes that were looked at, from above; interfaces of layers twice, from above and from below.
     pub layers: Vec<Layer>,
+    /// The same of each layer and of what is below all: one of a body without layers.
+    pub pieces: Vec<Piece>,
+    /// What crosses the interfaces of layers, from above.
+    pub interfaces: Vec<Interface>,
+    /// The largest and the least normal stress along the surface of a body with layers; `None` where that is not known.
+    pub face: [Option<Maximum>; 2],
+}
+
+/// The largest stresses in a layer, or below all of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// Its index, from the surface down.
+    pub index: usize,
+    /// How deep (m) it begins and ends.
+    pub ends: [f64; 2],
+    /// Below the surface, in the order of [`MEASURES`].
+    pub inside: [Maximum; 4],
 }
 
 impl Maximum {
@@ -73,7 +104,7 @@ impl Maximum {
         let order = if order.is_nan() { most } else { order };
         let ratio = order.exp2();
         // One of both differences may vanish by chance.
-        let error = first.max(second / ratio) / (ratio - 1.0);
+        let error = SAFETY * first.max(second / ratio) / (ratio - 1.0);
         Self { value, error, order, place }
     }
 }
@@ -81,7 +112,16 @@ impl Maximum {
 impl Maxima {
     /// The larger of what is inside and what is on the surface; `None` where the latter is not known.
     pub fn largest(&self, measure: usize) -> Option<Maximum> {
-        let inside = self.inside[measure];
+        self.or_on_surface(self.inside[measure], measure)
+    }
+
+    /// The largest of a layer: of the uppermost with what is on the surface, `None` where that is not known.
+    pub fn largest_in(&self, piece: &Piece, measure: usize) -> Option<Maximum> {
+        let inside = piece.inside[measure];
+        if piece.index == 0 { self.or_on_surface(inside, measure) } else { Some(inside) }
+    }
+
+    fn or_on_surface(&self, inside: Maximum, measure: usize) -> Option<Maximum> {
         self.surface[measure].map(|own| if own.value > inside.value { own } else { inside })
     }
 }
@@ -115,45 +155,88 @@ impl Pressed {
 
     /// The largest shear (Pa) along the surface, by which a line of contact that passes again and again shakes down after Melan
     /// (K. L. Johnson & J. A. Jefferis, *Symposium on Rolling Contact Fatigue*, 1963): residual stresses xx and yy are free, and
-    /// what is left is that shear, up to the strength in shear. `None` where it is no line, friction acts along it, or that shear is
-    /// not known on the surface.
+    /// what is left is that shear, up to the strength in shear. `None` where it is no line, friction acts along it, the body has layers,
+    /// whose strengths differ, or that shear is not known on the surface.
     pub fn shakes_down(&self, maxima: &Maxima) -> Option<f64> {
-        let plane = self.below.is_line() && !self.below.rubs_along(1);
+        let bare = self.below.pieces().len() == 1 && self.ground.is_infinite();
+        let plane = bare && self.below.is_line() && !self.below.rubs_along(1);
         maxima.largest(3).filter(|_| plane).map(|largest| largest.value)
     }
 
-    /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under a strength (Pa).
-    /// `see` is shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame.
+    /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under the strength (Pa) of each
+    /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame.
     pub fn maxima(
         &self,
         depths: &[f64],
-        (initial, strength): (&Components, Option<f64>),
+        (initial, strengths): (&Components, &[Option<f64>]),
         see: &mut dyn FnMut(f64, &[Vec<f64>; 6]),
     ) -> Option<Maxima> {
-        let layers: Vec<Layer> = depths
-            .iter()
-            .map(|&depth| {
-                let plane = self.plane(depth, initial);
-                see(depth, &plane);
-                layer(&self.below, depth, &plane, strength)
-            })
-            .collect();
         let coarse = self.below.coarser();
         let levels = [&self.below, &coarse, &coarse.coarser()];
-        let inside = |measure: usize| -> Option<Maximum> {
-            let from = layers
-                .iter()
-                .max_by(|a, b| a.largest[measure].0.total_cmp(&b.largest[measure].0))?;
-            let [x, y] = from.largest[measure].1;
-            let start = [x, y, -from.depth];
-            Some(self.below_surface(levels, (measure, initial), start, depths))
+        let ends = self.below.pieces();
+        let layered = ends.len() > 1 || self.ground.is_finite();
+        let (mut layers, mut pieces) = (vec![], vec![]);
+        for (index, ends) in ends.iter().enumerate() {
+            let depths = self.depths_within(depths, *ends);
+            if depths.is_empty() {
+                continue;
+            }
+            let own = self.within(index);
+            let strength = strengths.get(index).copied().flatten();
+            let first = layers.len();
+            for &depth in &depths {
+                let plane = own.plane(depth, initial);
+                see(depth, &plane);
+                let looked_at = layer(&own.below, (depth, index), &plane, strength);
+                let sought = |of: Of| largest(&own.below, &plane, of);
+                let faces = if layered { SOUGHT.map(sought).to_vec() } else { vec![] };
+                layers.push(Layer { faces, ..looked_at });
+            }
+            let levels = levels.map(|below| below.within(index));
+            let inside = |measure: usize| -> Option<Maximum> {
+                let looked_at = layers[first..].iter();
+                let from = looked_at
+                    .max_by(|a, b| a.largest[measure].0.total_cmp(&b.largest[measure].0))?;
+                let [x, y] = from.largest[measure].1;
+                let start = [x, y, -from.depth];
+                let of = (MEASURES[measure].1, initial);
+                Some(own.below_surface(levels.each_ref(), of, start, &depths))
+            };
+            let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
+            pieces.push(Piece { index, ends: *ends, inside });
+        }
+        let inside = |measure: usize| {
+            let each = pieces.iter().map(|piece| piece.inside[measure]);
+            each.reduce(|one, other| if other.value > one.value { other } else { one })
         };
-        let [hx, hy] = self.below.spacing();
-        let face = self.below.plane(0.0);
-        let edges = edges(&self.below, &self.plane(hx.max(hy), initial));
-        let surface = |measure: usize| on_surface(levels, (measure, initial), (&face, &edges));
         let inside = [inside(0)?, inside(1)?, inside(2)?, inside(3)?];
-        Some(Maxima { inside, surface: [0, 1, 2, 3].map(surface), layers })
+        let surface = self.within(0);
+        let on_top = levels.map(|below| below.within(0));
+        let [hx, hy] = self.below.spacing();
+        let face = surface.below.plane(0.0);
+        let edges = edges(&surface.below, &surface.plane(hx.max(hy), initial), &face);
+        let on_face = |of: Of| on_surface(on_top.each_ref(), (of, initial), (&face, &edges));
+        let along = Side::MEASURES.map(|of| layered.then(|| on_face(of)).flatten());
+        let interfaces = interfaces(self, levels, initial, &layers);
+        Some(Maxima {
+            inside,
+            surface: MEASURES.map(|(_, of)| on_face(of)),
+            layers,
+            pieces,
+            interfaces,
+            face: Side::signed(along),
+        })
+    }
+
+    /// The depths (m) within a layer: those of them that are, and its faces below the surface as far as stresses are known.
+    fn depths_within(&self, depths: &[f64], [top, end]: [f64; 2]) -> Vec<f64> {
+        let inner = |depth: &f64| *depth > top * (1.0 + SAME) && *depth < end * (1.0 - SAME);
+        let known = self.known_depth() * (1.0 + SAME);
+        let first = (top > 0.0 && top <= known).then_some(top);
+        let last = (end.is_finite() && end <= known).then_some(end);
+        let inner =
+            depths.iter().copied().filter(|depth| inner(depth) || *depth == top && top == 0.0);
+        first.into_iter().chain(inner).chain(last).collect()
     }
 
     /// The stresses in a plane, with an even one; no numbers where they are not known.
@@ -170,19 +253,20 @@ impl Pressed {
 
     /// The maximum below the surface next to a place, within these depths; the field there on elements of twice and four times the size
     /// says how far off it may be.
-    fn below_surface(
+    pub(super) fn below_surface(
         &self,
         levels: [&Below; 3],
-        (measure, initial): (usize, &Components),
+        (measure, initial): (Of, &Components),
         start: [f64; 3],
         depths: &[f64],
     ) -> Maximum {
         let value = |below: &Below, place: [f64; 3]| {
             let mut stress = below.stress(place);
             stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
-            (MEASURES[measure].1)(&stress)
+            measure(&stress)
         };
         let [h, _] = levels[0].spacing();
+        let [low, high] = [0, levels[0].pressure().len() - 1].map(|corner| levels[0].place(corner));
         let ends = [depths[0], depths[depths.len() - 1]];
         let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
         let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
@@ -193,6 +277,11 @@ impl Pressed {
                 let mut next = place;
                 next[axis] += side * step;
                 next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+                if !levels[0].repeats() {
+                    // A stress that fades from below leads away from the contact without end.
+                    next[axis] =
+                        if axis < 2 { next[axis].clamp(low[axis], high[axis]) } else { next[axis] };
+                }
                 let there = value(levels[0], next);
                 if there > best && self.knows(next) {
                     (place, best, higher) = (next, there, true);
@@ -200,12 +289,29 @@ impl Pressed {
             }
             step *= if higher { 1.0 } else { 0.5 };
         }
-        Maximum::of([best, value(levels[1], place), value(levels[2], place)], place)
+        let mut found =
+            Maximum::of([best, value(levels[1], place), value(levels[2], place)], place);
+        found.error += levels[0].missed(-place[2]);
+        found
     }
 }
 
+/// The largest in a plane, where it is known, and where along x and y (m).
+fn largest(below: &Below, plane: &[Vec<f64>; 6], of: Of) -> (f64, [f64; 2]) {
+    let value = |element: usize| of(&plane.each_ref().map(|field| field[element]));
+    let known = (0..plane[0].len()).filter(|element| !plane[0][*element].is_nan());
+    let all = known.map(|element| (value(element), element));
+    let (value, element) = all.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::NAN, 0));
+    (value, below.place(element))
+}
+
 /// What there is in a plane.
-fn layer(below: &Below, depth: f64, plane: &[Vec<f64>; 6], strength: Option<f64>) -> Layer {
+fn layer(
+    below: &Below,
+    (depth, piece): (f64, usize),
+    plane: &[Vec<f64>; 6],
+    strength: Option<f64>,
+) -> Layer {
     let of = |element: usize| plane.each_ref().map(|field| field[element]);
     let count = below.pressure().len();
     let known = |element: &usize| !plane[0][*element].is_nan();
@@ -224,18 +330,18 @@ fn layer(below: &Below, depth: f64, plane: &[Vec<f64>; 6], strength: Option<f64>
     let area = (0..count).filter(pressed).count().max(1) as f64;
     let mean = (0..count).filter(pressed).map(|element| all[element][0]).sum::<f64>() / area;
     let yields = strength.map(|own| all.iter().filter(|all| all[0] > own).count() as f64 / area);
-    Layer { depth, largest, mean, yields }
+    Layer { depth, piece, largest, mean, yields, faces: vec![] }
 }
 
 /// The maximum on the surface: where all is pressed around, or at an edge; `None` where neither is known.
 fn on_surface(
     levels: [&Below; 3],
-    (measure, initial): (usize, &Components),
+    (measure, initial): (Of, &Components),
     (face, edges): (&[Vec<f64>; 6], &[AtEdge]),
 ) -> Option<Maximum> {
     let of = |mut stress: Components| {
         stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
-        (MEASURES[measure].1)(&stress)
+        measure(&stress)
     };
     let below = levels[0];
     let [nx, ny] = below.elements();
@@ -277,5 +383,6 @@ fn on_surface(
         (middle, edge) => edge.or(middle),
     };
     // What elements have next to an edge that is not known is larger still at it.
-    known.filter(|known| known.value + known.error >= beside)
+    let known = known.filter(|known| known.value + known.error >= beside);
+    known.map(|known| Maximum { error: known.error + below.missed(0.0), ..known })
 }

@@ -44,6 +44,12 @@ pub fn principal(stress: &Components) -> [f64; 3] {
     [0.0, -turn, turn].map(|turned| mean + 2.0 * radius * (angle + turned).cos())
 }
 
+/// The largest and the least normal stress (Pa) on planes that stand on the surface.
+pub fn along_surface(&[xx, yy, _, xy, ..]: &Components) -> [f64; 2] {
+    let (mean, radius) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+    [mean + radius, mean - radius]
+}
+
 /// The largest tension (Pa) in any direction; negative under pressure from all sides.
 pub fn tension(stress: &Components) -> f64 {
     principal(stress)[0]

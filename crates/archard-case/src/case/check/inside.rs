@@ -3,9 +3,12 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::output::WantedStresses;
+use archard::body::Body;
 use archard::compliance::bem::Surface;
 use archard::elastic::Pressed;
 use archard::motion::{Lever, Passage, Sequence};
+use archard::numerics::SAME;
 
 /// Points outside of their bodies, sections without places.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
@@ -57,6 +60,31 @@ fn halves(elements: [usize; 2]) -> bool {
     elements.iter().all(|count| *count == 1 || count.is_multiple_of(8))
 }
 
+/// What is asked for of the stresses of a body that its layers do not suit.
+fn of_layers(body: &Body, wanted: &WantedStresses) -> Option<Problem> {
+    let key = Key::of(["output", "stress", &body.name]);
+    let (given, count) = (wanted.layer_strengths.len(), body.layers.len());
+    if given > 0 && given != count {
+        let message = format!("are those of {given} layers, and the body has {count}");
+        return Some(Problem::error(key.child("layer_strengths"), message));
+    }
+    if count == 0 {
+        return None;
+    }
+    if wanted.fatigue.is_wanted() {
+        let message = "is for a body of one material: layers have factors of their own; apply a criterion of your own to `output.points`";
+        return Some(Problem::error(key.child("fatigue"), message).at_name());
+    }
+    if body.material.is_none() && wanted.strength.is_some() {
+        let message =
+            "is that of the material below the layers, which is rigid: give `layer_strengths`";
+        return Some(Problem::error(key.child("yield_strength"), message).at_name());
+    }
+    let message = "is for a body of one material: layers have stresses of their own from manufacture; add them to what is put out";
+    let even = wanted.initial != [0.0; 6];
+    even.then(|| Problem::error(key.child("initial"), message).at_name())
+}
+
 /// What a half-space has no stresses for.
 fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     let case = parts.case;
@@ -92,6 +120,9 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     if let Some(why) = refused {
         return vec![Problem::error(key(name), why).at_name()];
     }
+    if let Some(problem) = stresses.as_ref().and_then(|wanted| of_layers(body, wanted)) {
+        return vec![problem];
+    }
     let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
@@ -113,10 +144,18 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             "lies above the surface of the half-space: z is zero there, and negative in it";
         Problem::error(key("points").child(&point.name), message)
     });
+    let ground = if body.material.is_some() { f64::INFINITY } else { body.coated() };
+    let lower = points.iter().filter(|point| -point.place[2] > ground * (1.0 + SAME)).map(|point| {
+        let message = format!(
+            "lies below the layers, which end {:.4} mm deep, in rigid ground that has no stress",
+            1e3 * ground
+        );
+        Problem::error(key("points").child(&point.name), message)
+    });
     let lost = sections.iter().filter_map(|section| {
         let cause = section.check_half_space().err()?;
         let key = key("sections").child(&section.name).child(cause.parameter());
         Some(Problem::error(key, cause.to_string()))
     });
-    above.chain(lost).collect()
+    above.chain(lower).chain(lost).collect()
 }

@@ -97,15 +97,26 @@ impl Reader<'_> {
         let found = self.of_bodies(root, bodies, ("stress", of_a_body), |reader, section| {
             reader.stresses(section).map(|wanted| vec![wanted])
         });
-        found.map(|found| found.map(|wanted| wanted.into_iter().next()))
+        let mut found = found?.map(|wanted| wanted.into_iter().next());
+        for (wanted, body) in found.iter_mut().zip(bodies) {
+            let layers = body.layers.iter().map(|layer| layer.hardness);
+            let below = body.material.as_ref().and_then(|material| material.hardness);
+            let hardness = layers.chain([below]).collect();
+            wanted.iter_mut().for_each(|wanted| wanted.hardness = Vec::clone(&hardness));
+        }
+        Some(found)
     }
 
     fn stresses(&mut self, section: &Section<'_>) -> Option<WantedStresses> {
         let before = self.problems.len();
-        let (values, _) = self.values_among(section, PARAMETERS, &["depths"]);
+        let (values, _) = self.values_among(section, PARAMETERS, &["depths", "layer_strengths"]);
         let depths = match section.get("depths") {
             None => vec![],
             Some((key, entry)) => self.depths(key, &entry.node)?,
+        };
+        let layer_strengths = match section.get("layer_strengths") {
+            None => vec![],
+            Some((key, entry)) => self.strengths(key, &entry.node)?,
         };
         let initial = values.section("initial");
         let initial =
@@ -125,8 +136,25 @@ impl Reader<'_> {
             field,
             initial,
             strength,
+            layer_strengths,
+            hardness: vec![],
             fatigue,
         })
+    }
+
+    /// Yield stresses (Pa) of layers.
+    fn strengths(&mut self, key: Key, node: &Node) -> Option<Vec<f64>> {
+        let Item::Array(nodes) = &node.item else {
+            let message = format!(
+                "expected the yield stress of each layer from the surface down, [\"5 GPa\", \"900 MPa\"], found {}",
+                node.item.kind()
+            );
+            self.push(Problem::error(key, message));
+            return None;
+        };
+        let each = nodes.iter().enumerate();
+        let each = each.map(|(i, node)| self.number(key.index(i), node, Quantity::Pressure));
+        each.collect()
     }
 
     /// Depths (m), rising; none where the contact decides.

@@ -29,16 +29,16 @@ use super::stack::{Scalars, Stack};
 
 /// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
 /// missed is computed, and bounded by `MISSED`.
-const COUNT: usize = 32;
+pub(super) const COUNT: usize = 32;
 /// The same of round layers, whose compliance approaches that of a half-space by 1/(kR) as waves become shorter, and the depth of the
 /// first one over the radius: shells and rings of a fiftieth to twice their radius are met to 1e-5.
 const ROUND: (usize, f64) = (48, 1e-3);
 /// Wave numbers that the weights are fitted on, for each image.
-const SAMPLES: usize = 25;
+pub(super) const SAMPLES: usize = 25;
 /// The depth of the first image over the thickness of the uppermost layer, and that of the last over the reach of the stack.
-const DEPTHS: [f64; 2] = [0.8, 12.0];
+pub(super) const DEPTHS: [f64; 2] = [0.8, 12.0];
 /// The least wave number over the deepest image, and the greatest over the thickness of the uppermost layer: exp(-20) is left.
-const WAVES: [f64; 2] = [1e-3, 25.0];
+pub(super) const WAVES: [f64; 2] = [1e-3, 25.0];
 /// What the sum of the weights, which is known, counts in the least squares: it is met to the square of this below what the
 /// others miss, and much more would drown them in rounding.
 const EXACTLY: f64 = 1e4;
@@ -116,6 +116,22 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     let (top, bottom) = (stack.top(), stack.bottom());
     let less_top = |scalars: Scalars| -> Scalars { [0, 1, 2, 3].map(|i| scalars[i] - top[i]) };
     let wanted: Vec<Scalars> = waves.iter().map(|&k| less_top(stack.compliance(k))).collect();
+    let fitted = fit((&depths, reach), &waves, (&wanted, less_top(bottom)));
+    let Some((weights, missed)) = fitted else { return (vec![], f64::INFINITY) };
+    let image = |(depth, weights): (&f64, Scalars)| Image {
+        depth: *depth,
+        scalars: weights.map(|weight| weight / (2.0 * PI)),
+    };
+    (depths.iter().zip(weights).map(image).collect(), missed / top[2])
+}
+
+/// Weights of exponentials of these depths (m) whose sum is what is wanted at the waves (1/m), and in the limit of the longest; by how much
+/// they miss it at most. `None` where their equations have no solution.
+pub(super) fn fit<const N: usize>(
+    (depths, reach): (&[f64], f64),
+    waves: &[f64],
+    (wanted, longest): (&[[f64; N]], [f64; N]),
+) -> Option<(Vec<[f64; N]>, f64)> {
     // The longest waves count as what they do to displacements.
     let weight = |row: usize| match waves.get(row) {
         Some(k) => (k * reach).recip().max(1.0),
@@ -125,24 +141,20 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
         Some(k) => (-k * depths[image]).exp(),
         None => 1.0,
     };
-    let last = less_top(bottom);
-    let rows = waves.len() + 1;
+    let (rows, count) = (waves.len() + 1, depths.len());
     let terms = Mat::from_fn(rows, count, |row, image| weight(row) * term(row, image));
-    let sums = Mat::from_fn(rows, 4, |row, i| weight(row) * wanted.get(row).unwrap_or(&last)[i]);
-    let Some(weights) = least_squares(&terms, &sums) else { return (vec![], f64::INFINITY) };
+    let sums = Mat::from_fn(rows, N, |row, i| weight(row) * wanted.get(row).unwrap_or(&longest)[i]);
+    let weights = least_squares(&terms, &sums)?;
     let missed = wanted.iter().enumerate().flat_map(|(row, wanted)| {
         let (weights, term) = (&weights, &term);
-        (0..4).map(move |i| {
+        (0..N).map(move |i| {
             let sum: f64 = (0..count).map(|image| weights[(image, i)] * term(row, image)).sum();
-            (wanted[i] - sum).abs() / top[2]
+            (wanted[i] - sum).abs()
         })
     });
     let missed = missed.fold(0.0, f64::max);
-    let image = |(image, &depth): (usize, &f64)| Image {
-        depth,
-        scalars: [0, 1, 2, 3].map(|i| weights[(image, i)] / (2.0 * PI)),
-    };
-    (depths.iter().enumerate().map(image).collect(), missed)
+    let weights = (0..count).map(|image| std::array::from_fn(|i| weights[(image, i)])).collect();
+    Some((weights, missed))
 }
 
 /// The smallest weights that solve A w = b in the sense of least squares, apart from rounding; `None` where a number is not finite.
@@ -159,7 +171,7 @@ fn least_squares(terms: &Mat<f64>, sums: &Mat<f64>) -> Option<Mat<f64>> {
 }
 
 /// Numbers from the first to the last in a constant ratio.
-fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
+pub(super) fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     let ratio = (last / first).ln() / (count - 1) as f64;
     (0..count).map(|index| first * (ratio * index as f64).exp()).collect()
 }

@@ -15,8 +15,17 @@
 //! ```
 //!
 //! In 2 x 2 blocks Q of exp(-q A), the compliance C (times G k) below the layer is (Q11 C - Q12) / (Q22 - Q21 C) above it. The
-//! solutions that grow upward are those that are wanted, so nothing cancels; both sides are divided by exp(q). Layers were first
-//! computed by D. M. Burmister, *J. Appl. Phys.* 16 (1945) 89.
+//! solutions that grow upward are those that are wanted, so nothing cancels; both sides are divided by exp(q). Of the tractions (S, N)
+//! above a layer, exp(-q) over the same denominator arrives below it. Layers were first computed by D. M. Burmister, *J. Appl. Phys.* 16
+//! (1945) 89.
+//!
+//! What a layer bears is two waves: one that decays downward from its upper face, as in a half-space of its material under tractions
+//! there, and one that decays upward from its lower face. With t the tractions (S, N) at the face, C what is below it, and K+ and K- the
+//! compliance of a half-space of that material with C12 and with -C12,
+//!
+//! ```text
+//! downward (C + K-) t / (2 K11)    upward (K+ - C) t / (2 K11)
+//! ```
 
 use super::round;
 use crate::body::profile::Round;
@@ -24,6 +33,10 @@ use crate::body::{Layer, Material};
 
 /// C11, C12, C22 and CT, times the wave number (1/Pa).
 pub(super) type Scalars = [f64; 4];
+
+/// Tractions of a wave on a face: S and N under unit pressure, S and N under a unit traction along it, and those across the wave under
+/// a unit traction across it. Those along it are of the other phase; tension and what pulls is positive.
+pub(super) type Tractions = [f64; 5];
 
 /// From this k h on nothing is felt of what lies below a layer: exp(-2q) q^2 is less than 1e-23.
 const DEEP: f64 = 30.0;
@@ -48,10 +61,54 @@ impl Stack<'_> {
     pub fn compliance(&self, k: f64) -> Scalars {
         let base = self.bottom();
         let layers = self.layers.iter().rev();
-        let plane = layers.fold(base, |below, layer| above(layer, below, k * layer.thickness));
+        let plane =
+            layers.fold(base, |below, layer| above(layer, below, k * layer.thickness).compliance);
         let Some(hollow) = self.hollow else { return plane };
         let [along, coupling, _, across] = plane;
         [along, coupling, round::compliance(hollow, self.layers, k), across]
+    }
+
+    /// The tractions of the waves that go down from the upper face of a layer and up from its lower one, for a wave number (1/m) of
+    /// tractions on the surface: of the layer with that index, or of what is below all, from which nothing comes up.
+    pub fn waves(&self, piece: usize, k: f64) -> [Tractions; 2] {
+        let mut below = self.bottom();
+        let mut faces = vec![below];
+        let mut passing = vec![];
+        for layer in self.layers.iter().rev() {
+            let above = above(layer, below, k * layer.thickness);
+            below = above.compliance;
+            faces.push(below);
+            passing.push((above.passed, above.across));
+        }
+        faces.reverse();
+        passing.reverse();
+        // S and N under unit pressure and under a unit traction along the wave, and what is borne across it.
+        let mut borne = ([[0.0, 1.0], [-1.0, 0.0]], -1.0);
+        let through = |borne: (Matrix<2>, f64), (passed, across): (Matrix<2>, f64)| {
+            (product(passed, borne.0), across * borne.1)
+        };
+        for layer in &passing[..piece] {
+            borne = through(borne, *layer);
+        }
+        let material = self.layers.get(piece).map(|layer| &layer.material).or(self.base);
+        let Some(material) = material else { return [[0.0; 5]; 2] };
+        let own = half_space(material);
+        let wave =
+            |side: f64, [along, coupling, normal, across]: Scalars, borne: (Matrix<2>, f64)| {
+                let factors = [
+                    [own[0] + side * along, side * (coupling - own[1])],
+                    [side * (coupling - own[1]), own[2] + side * normal],
+                ];
+                let [shear, normal] =
+                    product(factors, borne.0).map(|row| row.map(|t| t / (2.0 * own[0])));
+                let across = 0.5 * borne.1 * (1.0 + side * across / own[3]);
+                [shear[0], normal[0], shear[1], normal[1], across]
+            };
+        let down = wave(1.0, faces[piece], borne);
+        match passing.get(piece) {
+            Some(layer) => [down, wave(-1.0, faces[piece + 1], through(borne, *layer))],
+            None => [down, [0.0; 5]],
+        }
     }
 
     /// That of the shortest waves, which is the half-space of the uppermost layer.
@@ -84,10 +141,19 @@ pub(super) fn half_space(material: &Material) -> Scalars {
     [along, 0.5 * (1.0 - 2.0 * poisson) / shear, along, 1.0 / shear]
 }
 
-/// The compliance above a layer from that below it; q is its thickness times the wave number.
-fn above(layer: &Layer, below: Scalars, q: f64) -> Scalars {
+/// What there is above a layer.
+struct Above {
+    compliance: Scalars,
+    /// What arrives below of S and N above, and of what is borne across the wave.
+    passed: Matrix<2>,
+    across: f64,
+}
+
+/// What there is above a layer by the compliance below it; q is its thickness times the wave number.
+fn above(layer: &Layer, below: Scalars, q: f64) -> Above {
     if q > DEEP {
-        return half_space(&layer.material);
+        let compliance = half_space(&layer.material);
+        return Above { compliance, passed: [[0.0; 2]; 2], across: 0.0 };
     }
     let shear = layer.material.shear_modulus();
     let [along, coupling, normal, across] = below.map(|value| value * shear);
@@ -102,9 +168,13 @@ fn above(layer: &Layer, below: Scalars, q: f64) -> Scalars {
     let determinant = a * d - b * c;
     let inverse = [[d, -b], [-c, a]].map(|row| row.map(|value| value / determinant));
     let [[along, one], [other, normal]] = product(numerator, inverse);
-    let tanh = q.tanh();
+    let (tanh, decay) = (q.tanh(), (-q).exp());
+    let passed = inverse.map(|row| row.map(|value| value * decay));
+    let square = decay * decay;
+    let through = 2.0 * decay / ((1.0 + square) + across * (1.0 - square));
     let across = (across + tanh) / (1.0 + across * tanh);
-    [along, 0.5 * (one + other), normal, across].map(|value| value / shear)
+    let compliance = [along, 0.5 * (one + other), normal, across].map(|value| value / shear);
+    Above { compliance, passed, across: through }
 }
 
 /// exp(-q A) exp(-q).

@@ -2,43 +2,54 @@
 //!
 //! Sums of rectangles (`corner.rs`), or of strips (`strip.rs`) under a line of contact, are exact for such tractions: at a point
 //! ([`Below::stress`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
-//! vary by within an element is added (`slope.rs`).
+//! vary by within an element is added (`slope.rs`). Where a body has layers (`layers.rs`), each adds images (`rest.rs`, `far.rs`).
 
 mod corner;
+mod far;
+mod layers;
 mod plane;
+mod rest;
 mod slope;
+mod stacked;
 mod strip;
 #[cfg(test)]
 mod tests;
 mod waves;
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use crate::body::Material;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::Convolution;
 use crate::stress::Components;
+use layers::Layers;
 use waves::Waves;
 
 /// What is below even tractions on the elements of a uniform frame.
 ///
 /// Its axes are those of the body: x and y of the frame, z = 0 on the surface and negative in the body.
 pub struct Below {
+    /// The uppermost material.
     material: Material,
+    /// Its layers and what is below them.
+    layers: Option<Arc<Layers>>,
+    /// The one that it is asked about, whatever the depth; `None` for the one at the depth.
+    piece: Option<usize>,
     elements: [usize; 2],
     /// Size of an element along x and y (m).
     spacing: [f64; 2],
     /// The lowest corner of the frame (m).
     corner: [f64; 2],
     /// Tractions on the body along x and y, and into it (Pa), one value an element.
-    tractions: [Vec<f64>; 3],
+    tractions: Arc<[Vec<f64>; 3]>,
     /// In plane strain: how far below the contact (m) displacements are measured from.
     depth: Option<f64>,
     /// The corners of the elements, or the edges of strips, where tractions change (m), and by how much (Pa).
-    changes: Vec<([f64; 2], [f64; 3])>,
-    convolution: Convolution,
+    changes: Arc<Vec<([f64; 2], [f64; 3])>>,
+    convolution: Arc<Convolution>,
     /// The tractions as waves, where they repeat themselves with the frame.
-    waves: Option<Waves>,
+    waves: Option<Arc<Waves>>,
 }
 
 impl std::fmt::Debug for Below {
@@ -72,27 +83,27 @@ impl Below {
         tractions: [Vec<f64>; 3],
         depth: Option<f64>,
     ) -> Self {
-        let convolution = Convolution::padded(elements);
-        let changes = vec![];
         let mut below = Self {
             material,
+            layers: None,
+            piece: None,
             elements,
             spacing,
             corner,
-            tractions,
+            tractions: Arc::new(tractions),
             depth,
-            changes,
-            convolution,
+            changes: Arc::default(),
+            convolution: Arc::new(Convolution::padded(elements)),
             waves: None,
         };
-        below.changes = below.changes();
+        below.changes = Arc::new(below.changes());
         below
     }
 
     /// The same under tractions that repeat themselves with the frame, whose elements are an even number or one along each axis.
     #[must_use]
     pub fn repeated(self) -> Self {
-        Self { waves: Some(Waves::on(self.elements)), ..self }
+        Self { waves: Some(Arc::new(Waves::on(self.elements))), ..self }
     }
 
     /// Whether tractions repeat themselves with the frame.
@@ -123,6 +134,7 @@ impl Below {
         let tractions = self.tractions.each_ref().map(mean);
         let coarser =
             Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth);
+        let coarser = Self { layers: self.layers.clone(), piece: self.piece, ..coarser };
         if self.waves.is_some() { coarser.repeated() } else { coarser }
     }
 
@@ -192,7 +204,9 @@ impl Below {
 
     /// Displacement (m) at a place (m) along x, y and z, from far away or, under a line of contact, from its depth.
     pub fn displacement(&self, place: [f64; 3]) -> [f64; 3] {
-        let (at, z, poisson) = ([place[0], place[1]], -place[2], self.material.poisson);
+        let (at, z) = ([place[0], place[1]], -place[2]);
+        let material = self.material(z);
+        let poisson = material.poisson;
         let mut sum = match self.depth {
             None => self.weighed(
                 at,
@@ -205,15 +219,20 @@ impl Below {
                 |functions| strip::displacement(functions, poisson, z),
             ),
         };
-        if let Some(depth) = self.depth {
-            let added = strip::from_depth(poisson, depth);
+        let (_, moved) = self.rest(at, z);
+        sum.iter_mut().zip(moved).for_each(|(sum, moved)| *sum += moved);
+        let mut moved = sum.map(|value| 0.5 * value / material.shear_modulus());
+        // Far away all is as in what is below the layers.
+        let base = self.layers.as_ref().map_or(Some(self.material), |layers| layers.base());
+        if let (Some(depth), Some(base)) = (self.depth, base) {
+            let added = strip::from_depth(base.poisson, depth);
             for axis in 0..3 {
                 let all: f64 = self.tractions[axis].iter().sum();
-                sum[axis] += added[axis] * all * self.spacing[0] / PI;
+                let each = all * self.spacing[0] / PI;
+                moved[axis] += 0.5 * added[axis] * each / base.shear_modulus();
             }
         }
-        let shear = self.material.young / (2.0 * (1.0 + poisson));
-        let [x, y, into] = sum.map(|value| value / (2.0 * shear));
+        let [x, y, into] = moved;
         [x, y, -into]
     }
 
@@ -225,7 +244,7 @@ impl Below {
         let counts = self.elements;
         if (0..2).all(|axis| (0.0..counts[axis] as f64).contains(&index[axis])) {
             let element = index[0] as usize + counts[0] * index[1] as usize;
-            let added = self.varying(depth, element);
+            let added = self.varying(depth).at(self, element);
             stress.iter_mut().zip(added).for_each(|(sum, added)| *sum += added);
         }
         stress
@@ -233,8 +252,8 @@ impl Below {
 
     /// The stress (Pa) of even elements at a place and a depth (m); on the surface not finite at the edges of those that are pressed.
     pub fn even(&self, at: [f64; 2], z: f64) -> Components {
-        let poisson = self.material.poisson;
-        let stress = match self.depth {
+        let poisson = self.material(z).poisson;
+        let mut stress = match self.depth {
             None => self.weighed(
                 at,
                 |from| corner::functions(from, z),
@@ -246,6 +265,8 @@ impl Below {
                 |functions| strip::stress(functions, poisson),
             ),
         };
+        let (rest, _) = self.rest(at, z);
+        stress.iter_mut().zip(rest).for_each(|(sum, own)| *sum += own);
         turned(stress)
     }
 
@@ -258,7 +279,7 @@ impl Below {
         made: impl Fn(&[f64; F]) -> [[f64; N]; 3],
     ) -> [f64; N] {
         let mut sums = [[0.0; F]; 3];
-        for (corner, change) in &self.changes {
+        for (corner, change) in self.changes.iter() {
             let functions = functions([at[0] - corner[0], at[1] - corner[1]]);
             for (sums, change) in sums.iter_mut().zip(change) {
                 sums.iter_mut().zip(functions).for_each(|(sum, value)| *sum += change * value);

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::{Below, corner, strip};
+use super::{Below, corner, rest, strip};
 use crate::compliance::half_space::differences::differences;
 use crate::numerics::convolution::{Parity, Spectrum};
 
@@ -17,7 +17,7 @@ impl Below {
     pub fn plane(&self, depth: f64) -> [Vec<f64>; 6] {
         let [nx, ny] = self.elements;
         let (convolution, kernels) = match &self.waves {
-            None => (&self.convolution, self.kernels(depth)),
+            None => (&*self.convolution, self.kernels(depth)),
             Some(waves) => {
                 let first = if self.rubs() { 0 } else { 12 };
                 let kernel = |index: usize| waves.kernel(self, (index / 6, index % 6), depth);
@@ -42,8 +42,9 @@ impl Below {
         if self.waves.is_some() {
             return fields;
         }
+        let varying = self.varying(depth);
         let added: Vec<_> =
-            (0..nx * ny).into_par_iter().map(|element| self.varying(depth, element)).collect();
+            (0..nx * ny).into_par_iter().map(|element| varying.at(self, element)).collect();
         for (component, field) in fields.iter_mut().enumerate() {
             field.iter_mut().zip(&added).for_each(|(value, added)| *value += added[component]);
         }
@@ -55,8 +56,11 @@ impl Below {
     fn kernels(&self, depth: f64) -> Vec<Spectrum> {
         let [nx, ny] = self.elements;
         let half = self.spacing.map(|h| 0.5 * h);
-        let (line, poisson) = (self.depth.is_some(), self.material.poisson);
+        let (line, poisson) = (self.depth.is_some(), self.material(depth).poisson);
         let scale = if line { PI } else { 2.0 * PI };
+        let piece = self.piece(depth);
+        let seen =
+            piece.filter(|_| line).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
         let corners: Vec<[[f64; 6]; 3]> = (0..nx * ny)
             .into_par_iter()
             .with_min_len(256)
@@ -64,12 +68,24 @@ impl Below {
                 let at = [index % nx, index / nx];
                 let [x, y] = [0, 1].map(|axis| half[axis] * (2 * at[axis] + 1) as f64);
                 if line {
-                    strip::stress(&strip::functions(x, depth), poisson)
+                    let mut own = strip::stress(&strip::functions(x, depth), poisson);
+                    let (added, _) = rest::at_edge(&seen, x);
+                    let added = added.iter().flatten();
+                    own.iter_mut().flatten().zip(added).for_each(|(own, added)| *own += added);
+                    own
                 } else {
                     corner::stress(&corner::functions([x, y], depth), poisson)
                 }
             })
             .collect();
+        let far = piece.filter(|_| !line).map(|(layers, piece)| layers.far(piece, depth));
+        let added: Option<Vec<[[f64; 6]; 3]>> = far.map(|far| {
+            let element = |index: usize| {
+                let at = [index % nx, index / nx];
+                far.element([0, 1].map(|axis| self.spacing[axis] * at[axis] as f64), half).0
+            };
+            (0..nx * ny).into_par_iter().with_min_len(256).map(element).collect()
+        });
         let first = if self.rubs() { 0 } else { 12 };
         let kernel = |index: usize| {
             let (axis, component) = (index / 6, index % 6);
@@ -78,12 +94,15 @@ impl Below {
             let parity = parity(component, axis, line);
             // A function of corners is odd where its differences are even.
             let sign = |parity: Parity| if parity == Parity::Even { -1.0 } else { 1.0 };
-            let values = if line {
+            let mut values = if line {
                 let mut before = sign(parity[0]) * values[0];
                 values.into_iter().map(|here| here - std::mem::replace(&mut before, here)).collect()
             } else {
                 differences(values, self.elements, parity.map(sign))
             };
+            for (value, added) in values.iter_mut().zip(added.iter().flatten()) {
+                *value += added[axis][component];
+            }
             self.convolution.spectrum(&values, nx, parity)
         };
         (first..ALL).map(kernel).collect()

@@ -16,28 +16,59 @@ use std::f64::consts::{PI, TAU};
 use super::{Below, turned};
 use crate::stress::Components;
 
+/// What is added per slope (m) at a depth, along x and along y: to the components along that axis, across it and zz by the traction along
+/// it, to xy by that across it, to xz or yz by the pressure.
+pub(super) struct Varying([[f64; 5]; 2]);
+
 impl Below {
-    /// What is added (Pa) at the centre of an element, `depth` (m) below it.
-    pub(super) fn varying(&self, depth: f64, element: usize) -> Components {
-        let n = 2.0 * self.material.poisson;
-        let axes = if self.depth.is_some() { 1 } else { 2 };
-        let mut added = [0.0; 6];
-        for axis in 0..axes {
-            let Some([x, y, z]) = self.slopes(axis, element) else { continue };
+    /// What slopes add at a depth (m).
+    pub(super) fn varying(&self, depth: f64) -> Varying {
+        let n = 2.0 * self.material(depth).poisson;
+        let images = self.piece(depth).map_or(vec![], |(layers, piece)| layers.seen(piece, depth));
+        let along = |axis: usize| {
             let h = self.spacing[axis];
-            let a = TAU * depth / h;
-            let (even, times) = (h / PI * (-a).exp().ln_1p(), h / PI * a / (a.exp() + 1.0));
-            let own = match axis {
-                0 => [2.0 * even - times, n * even, times].map(|factor| factor * x),
-                _ => [n * even, 2.0 * even - times, times].map(|factor| factor * y),
+            // The sums where a field decays over one distance and grows with another.
+            let sums = |decay: f64, from: f64| {
+                let a = TAU * decay / h;
+                [h / PI * (-a).exp().ln_1p(), 2.0 * from / (a.exp() + 1.0)]
             };
-            added[..3].iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
-            added[3] += even * if axis == 0 { y } else { x };
-            added[4 + axis] += times * z;
+            let [even, times] = sums(depth, depth);
+            let mut own = [2.0 * even - times, n * even, times, even, times];
+            for image in &images {
+                for (sum, stress) in sums(image.distance, image.from).into_iter().zip(image.stress)
+                {
+                    let [_, _, _, sz, tz, ts, tn, _, _, sn] = stress;
+                    own.iter_mut()
+                        .zip([ts, tn, tz, sn, sz])
+                        .for_each(|(own, add)| *own += sum * add);
+                }
+            }
+            own
+        };
+        Varying([along(0), along(1)])
+    }
+}
+
+impl Varying {
+    /// What is added (Pa) at the centre of an element.
+    pub(super) fn at(&self, below: &Below, element: usize) -> Components {
+        let mut added = [0.0; 6];
+        let axes = if below.depth.is_some() { 1 } else { 2 };
+        for axis in 0..axes {
+            let Some(slopes) = below.slopes(axis, element) else { continue };
+            let [along, across, normal, shear, slant] = self.0[axis];
+            let own = slopes[axis];
+            added[axis] += along * own;
+            added[1 - axis] += across * own;
+            added[2] += normal * own;
+            added[3] += shear * slopes[1 - axis];
+            added[4 + axis] += slant * slopes[2];
         }
         turned(added)
     }
+}
 
+impl Below {
     /// How tractions change along an axis (Pa/m) at an element, where it and both of its neighbours are pressed.
     fn slopes(&self, axis: usize, element: usize) -> Option<[f64; 3]> {
         let step = if axis == 0 { 1 } else { self.elements[0] };

@@ -2,6 +2,7 @@
 
 mod hertz;
 mod kernels;
+mod layered;
 
 use super::Below;
 use crate::body::Material;

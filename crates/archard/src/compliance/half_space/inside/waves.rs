@@ -24,6 +24,7 @@ use rustfft::FftPlanner;
 
 use super::Below;
 use super::plane::parity;
+use super::rest::components;
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 use crate::stress::Components;
 
@@ -92,9 +93,19 @@ fn even(axis: usize, poisson: f64) -> Components {
 }
 
 /// What a wave of these numbers (1/m) makes, `z` (m) deep.
-fn of_wave(axis: usize, [x, y]: [f64; 2], z: f64, poisson: f64) -> Components {
-    let k = x.hypot(y);
-    if k == 0.0 { even(axis, poisson) } else { field(axis, [x / k, y / k], k * z, poisson) }
+fn of_wave(below: &Below, axis: usize, [x, y]: [f64; 2], z: f64) -> Components {
+    let (k, poisson) = (x.hypot(y), below.material(z).poisson);
+    if k == 0.0 {
+        return even(axis, poisson);
+    }
+    let [c, s] = [x / k, y / k];
+    match below.piece(z) {
+        None => field(axis, [c, s], k * z, poisson),
+        Some((layers, piece)) => {
+            let functions = [1.0, c * c, c * s, c, s, c * s * s, s * c * c];
+            components(functions, &layers.wave(piece, z, k))[axis]
+        }
+    }
 }
 
 /// Whether what a component is under a traction along an axis is odd along x and along y.
@@ -117,7 +128,7 @@ impl Waves {
         let size = below.size();
         self.convolution.transfer(parity(component, axis, false), |waves| {
             let k = [0, 1].map(|axis| TAU * waves[axis] as f64 / size[axis]);
-            of_wave(axis, k, depth, below.material.poisson)[component]
+            of_wave(below, axis, k, depth)[component]
         })
     }
 
@@ -128,7 +139,7 @@ impl Waves {
         let part = |waves: &[Wave]| {
             let mut sum = [0.0; 6];
             for wave in waves {
-                wave.add(from, (z, below.material.poisson), &mut sum);
+                wave.add(below, (from, z), &mut sum);
             }
             sum
         };
@@ -143,7 +154,7 @@ impl Waves {
 
 impl Wave {
     /// Adds the stress (Pa) of the wave at a place along x and y, so deep (m).
-    fn add(&self, from: [f64; 2], (z, poisson): (f64, f64), sum: &mut Components) {
+    fn add(&self, below: &Below, (from, z): ([f64; 2], f64), sum: &mut Components) {
         let Self { k, still, amplitudes } = self;
         // What is left of it is rounded off.
         if k[0].hypot(k[1]) * z > -f64::EPSILON.ln() {
@@ -153,7 +164,7 @@ impl Wave {
         let none = Complex64::ZERO;
         for (axis, amplitude) in amplitudes.iter().enumerate().filter(|(_, own)| **own != none) {
             let turned = amplitude * phase;
-            let own = of_wave(axis, *k, z, poisson);
+            let own = of_wave(below, axis, *k, z);
             for (component, (sum, own)) in sum.iter_mut().zip(own).enumerate() {
                 let odd = odd(component, axis);
                 if (0..2).any(|axis| odd[axis] && still[axis]) {

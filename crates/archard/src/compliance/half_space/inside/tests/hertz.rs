@@ -7,7 +7,7 @@ use crate::closed_form::sliding_line;
 use crate::stress::Components;
 
 /// The mean of the pressure over elements of a frame four radii wide; tractions mu times as large along x.
-fn ball(per_radius: usize, mu: f64, pressing: f64) -> Below {
+pub(super) fn ball(per_radius: usize, mu: f64, pressing: f64) -> Below {
     let h = 1.0 / per_radius as f64;
     let n = 4 * per_radius;
     // Gauss's rule of eight along x; along y the integral is known.

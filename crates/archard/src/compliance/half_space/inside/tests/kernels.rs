@@ -80,7 +80,7 @@ fn the_surface_bears_the_tractions_and_displacements_are_those_of_the_compliance
             None => ContactFrame::uniform(size, [nx, ny], [&Flat, &Flat]).unwrap(),
             Some(_) => ContactFrame::line(size, [nx, 1], [&Flat, &Flat]).unwrap(),
         };
-        let [t1, t2, into] = below.tractions.clone();
+        let [t1, t2, into] = (*below.tractions).clone();
         let n = into.iter().map(|value| -value).collect();
         let tractions = VectorField { t1, t2, n };
         let compliance = match line {
@@ -122,7 +122,7 @@ fn a_plane_holds_what_sums_at_its_places_say() {
                 } else {
                     below.even([x, y], depth)
                 };
-                let added = below.varying(depth, element);
+                let added = below.varying(depth).at(&below, element);
                 let left = if depth < 0.4 { [0.0; 6] } else { added };
                 near(found, std::array::from_fn(|i| known[i] + left[i]), 2e-14);
             }
