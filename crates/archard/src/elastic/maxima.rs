@@ -266,7 +266,6 @@ impl Pressed {
             measure(&stress)
         };
         let [h, _] = levels[0].spacing();
-        let [low, high] = [0, levels[0].pressure().len() - 1].map(|corner| levels[0].place(corner));
         let ends = [depths[0], depths[depths.len() - 1]];
         let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
         let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
@@ -277,11 +276,6 @@ impl Pressed {
                 let mut next = place;
                 next[axis] += side * step;
                 next[2] = -(-next[2]).clamp(ends[0], ends[1]);
-                if !levels[0].repeats() {
-                    // A stress that fades from below leads away from the contact without end.
-                    next[axis] =
-                        if axis < 2 { next[axis].clamp(low[axis], high[axis]) } else { next[axis] };
-                }
                 let there = value(levels[0], next);
                 if there > best && self.knows(next) {
                     (place, best, higher) = (next, there, true);
