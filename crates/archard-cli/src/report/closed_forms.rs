@@ -8,7 +8,6 @@ use archard::simulation::history::{
 
 use super::page::Table;
 use super::words::quantity;
-use crate::number::count;
 use crate::plot::results::Results;
 use crate::plot::tables::size;
 

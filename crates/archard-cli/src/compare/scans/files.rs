@@ -25,7 +25,7 @@ impl Compared<'_> {
     }
 
     /// All numbers, in SI.
-    fn json(&self) -> Value {
+    pub(super) fn json(&self) -> Value {
         let found = &self.found;
         let scar = &found.scar;
         json!({

@@ -221,7 +221,7 @@ fn the_surface_moves_as_the_compliance_says() {
         let size = [0.1 * nx as f64, 0.1 * ny as f64];
         let frame = match line {
             false => ContactFrame::uniform(size, [nx, ny], [&Flat, &Flat]).unwrap(),
-            true => ContactFrame::line(size, nx, [&Flat, &Flat]).unwrap(),
+            true => ContactFrame::line(size, [nx, 1], [&Flat, &Flat]).unwrap(),
         };
         let [t1, t2, into] = (*below.tractions).clone();
         let tractions = VectorField { t1, t2, n: into.iter().map(|own| -own).collect() };
