@@ -52,8 +52,9 @@ pub fn scan_difference<'py>(
     py: Python<'py>,
     files: [PyRef<'py, CaseFile>; 2],
     names: [String; 2],
-    (worn, turn, placed): (Option<String>, f64, bool),
+    options: (Option<String>, f64, bool),
 ) -> PyResult<Worn<'py>> {
+    let (worn, turn, placed) = options;
     let cases = files.each_ref().map(|file| file.0.clone());
     let work = move || -> Result<Result<Found, String>, Vec<_>> {
         let read = |case: &archard_case::CaseFile| -> Result<HeightMap, Vec<_>> {

@@ -31,7 +31,7 @@ use std::sync::Mutex;
 use std::thread;
 
 use archard::elastic::{self, Point, Pressed, Response};
-use archard::frame::VectorField;
+use archard::frame::{ContactFrame, VectorField};
 use archard::simulation::{Observer, Report};
 use archard::units::{self, Dimension, Measure};
 use archard_case::output::{RailWear, Store, contact_row};
@@ -193,7 +193,8 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
     let mut points = vec![];
     for which in 0..2 {
         let bodies = problem.bodies.each_ref();
-        if let Some(pressed) = Pressed::in_contact(bodies, which, &problem.frame, &last.0) {
+        let Some((frame, tractions)) = &last.0 else { continue };
+        if let Some(pressed) = Pressed::in_contact(bodies, which, frame, tractions) {
             let wanted = &resolved.case.points[which];
             let found = pressed.both_sides(wanted).map_err(|error| error.to_string())?;
             points.extend(named(&found.0, &found.1));
@@ -202,13 +203,14 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
     Ok(Results { points, rows })
 }
 
-/// The last tractions.
+/// The last tractions, and the frame that they are on, which may have grown.
 #[derive(Default)]
-struct Last(VectorField);
+struct Last(Option<(ContactFrame, VectorField)>);
 
 impl Observer for Last {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
-        self.0 = report.problem.tractions(report.state);
+        let tractions = report.problem.tractions(report.state);
+        self.0 = Some((report.problem.frame.clone(), tractions));
         Ok(())
     }
 }

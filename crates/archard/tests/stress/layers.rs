@@ -90,7 +90,7 @@ const KNOWN: [Known; 4] = [
 #[test]
 fn interfaces_bear_what_hankel_integrals_say_within_the_error() {
     for (layers, base, mu, above, below) in KNOWN {
-        for grid in [(8, 8), (12, 6), (16, 6), (24, 6)] {
+        for grid in [(8, 8), (16, 6)] {
             let found = maxima(&pressed(flat(layers, base), 0, grid, mu));
             let [interface] = &found.interfaces[..] else { panic!("{:?}", found.interfaces) };
             let own = [

@@ -10,7 +10,9 @@ use archard::motion::{Control, Drive, Drives, Sequence};
 
 /// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
-    let Some(drives) = &parts.motion.driven(parts.schedule.extent) else { return vec![] };
+    let Some(drives) = &parts.motion_of_bodies().driven(parts.schedule.extent) else {
+        return vec![];
+    };
     let mut problems = wear(parts, drives);
     problems.extend(friction(parts, drives));
     problems.extend(narrow(parts, contact));

@@ -185,7 +185,7 @@ impl Matrix {
     /// From the bytes of a file in that unit (one of [`UNITS`]).
     ///
     /// # Errors
-    /// If it is none of the formats or no matrix of an elastic body.
+    /// If it has another format or holds no matrix of an elastic body.
     pub fn new(bytes: &[u8], (_, holds, scale): (&str, Holds, f64)) -> Result<Self, Wrong> {
         let written = read(&String::from_utf8_lossy(bytes))?;
         if written.stiffness && holds == Holds::Flexibility {
