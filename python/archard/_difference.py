@@ -31,7 +31,7 @@ class Difference:
     """What is worn between two scans; prints what ``archard compare --before A --after B`` prints."""
 
     change: NDArray[np.float64]
-    """The later surface above the earlier one (m) in rows along x, negative where it is worn; NaN where one has no height."""
+    """The later surface above the earlier one (m) in rows along x, negative where worn; NaN where one has none."""
     regions: NDArray[np.int8]
     """-1 in a worn region, 1 in one that is piled up, 0 elsewhere."""
     pixel: tuple[float, float]
@@ -102,7 +102,8 @@ def difference(
         for key in _WITH_WEAR:
             if key in given:
                 raise ValueError(
-                    f"`{key}` takes off a part of what is worn, too; leave it out: the scans are levelled by what did not wear"
+                    f"`{key}` takes off a part of what is worn, too; leave it out: "
+                    "the scans are levelled by what did not wear"
                 )
         arrays: dict[str, Any] = {}
         tree = _surface.laid({"profile": {"surface": {"file": source, **given}}}, arrays)

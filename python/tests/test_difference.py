@@ -2,9 +2,10 @@
 
 import json
 
-import archard
 import numpy as np
 import pytest
+
+import archard
 
 #: Points, their distance (m), and the radius (m) and depth (m) of a spherical cap that is worn off.
 POINTS, PIXEL, RADIUS, DEPTH = 160, 4e-6, 0.12e-3, 3e-6
