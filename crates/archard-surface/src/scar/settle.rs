@@ -208,7 +208,7 @@ fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
     (0..weights.len()).map(weight).collect()
 }
 
-/// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours there that lie off together by more than texture.
+/// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours that lie off together by more than texture there.
 fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &[f64]) {
     let unworn: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
     // The median of fewer may be that of debris.
@@ -220,13 +220,16 @@ fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &
     let mut sizes: Vec<f64> = unworn.iter().map(|&at| (residuals[at] - middle).abs()).collect();
     let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(least);
     let bound = SQRT_2 * erfc_inv(0.5 / residuals.len() as f64) * spread;
-    // Within the scar it is wear, and where the computed shape misses it no debris.
     for at in 1..residuals.len() - 1 {
-        let three = at - 1..=at + 1;
-        let mean = residuals[three.clone()].iter().sum::<f64>() / DEBRIS as f64 - middle;
-        if worn[three.clone()].iter().all(|own| *own <= 0.0) && mean.abs() > bound {
-            debris[three].fill(true);
+        let mean = residuals[at - 1..=at + 1].iter().sum::<f64>() / DEBRIS as f64 - middle;
+        if worn[at] <= 0.0 && mean.abs() > bound {
+            debris[at - 1..=at + 1].fill(true);
         }
+    }
+    // Within the scar it is wear.
+    let on = |at: usize| worn.get(at).is_some_and(|own| *own <= 0.0);
+    for (at, debris) in debris.iter_mut().enumerate() {
+        *debris &= on(at) || at >= 2 && on(at - 2) || on(at + 2);
     }
 }
 

@@ -15,12 +15,11 @@ pub(super) enum Kind {
     OneSide,
     Cylinder,
     NoFlat,
-    Coarse,
 }
 
 /// All kinds whose level is told.
-pub(super) const KINDS: [Kind; 6] =
-    [Kind::Plain, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder, Kind::Coarse];
+pub(super) const KINDS: [Kind; 5] =
+    [Kind::Plain, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder];
 
 const RADIUS: f64 = 20e-3;
 /// The section of the computed shape (m^2).
@@ -28,8 +27,6 @@ pub(super) const SECTION: f64 = 0.078e-6;
 /// The radius of the cylinder that is worn (m).
 const BODY: f64 = 60e-3;
 const READINGS: usize = 400;
-/// Of a coarse profile one reading in so many is there.
-const APART: usize = 13;
 
 /// A profile and what is true of it.
 pub(super) struct Made {
@@ -91,7 +88,6 @@ pub(super) fn made(kind: Kind, seed: u64) -> Made {
     let share = match kind {
         Kind::NoFlat => 0.02,
         Kind::OneSide => 0.4,
-        Kind::Coarse => one_of(&mut random, &[0.6, 1.0, 1.4]),
         _ => one_of(&mut random, &[0.1, 0.25, 0.6]),
     };
     let low = shift - 0.5 * width - share * width;
@@ -125,9 +121,6 @@ pub(super) fn made(kind: Kind, seed: u64) -> Made {
             let spike = one_of(&mut random, &[-30e-6, 10e-6, 50e-6, 200e-6]);
             readings[random.usize(0..READINGS)][1] += spike;
         }
-    }
-    if kind == Kind::Coarse {
-        readings = readings.into_iter().step_by(APART).collect();
     }
     Made { readings, kind, shift, grown, section }
 }

@@ -72,13 +72,13 @@ fn table(seeds: u64) -> Vec<(Kind, Covered)> {
         .to_vec()
 }
 
-/// Of five profiles a kind nearly all are accepted, and 95 % intervals hold: three in 30 do not once in 60 times.
+/// Of five profiles a kind nearly all are accepted, and 95 % intervals hold: three in 25 do not once in 100 times.
 #[test]
 fn sections_lie_within_their_intervals() {
     let all = table(5);
     let sum = |of: &dyn Fn(&Covered) -> usize| all.iter().map(|own| of(&own.1)).sum::<usize>();
     let accepted = sum(&|own| own.accepted);
-    assert!(accepted >= 25 && sum(&|own| own.section) + 3 >= accepted, "{all:?}");
+    assert!(accepted >= 20 && sum(&|own| own.section) + 3 >= accepted, "{all:?}");
     assert!(sum(&|own| own.place) + 4 >= accepted && sum(&|own| own.depth) == accepted, "{all:?}");
 }
 
