@@ -90,8 +90,11 @@ fn bulk(wide: bool) -> String {
     text + "DMIG,MAAX,0,6,2\nENDDATA\n"
 }
 
+/// Node and direction of the row and of the column, and the value.
+type Labelled = ((i64, usize), (i64, usize), f64);
+
 /// The values on and below the diagonal by the labels of rows, in order.
-fn by_labels(written: &Written) -> Vec<((i64, usize), (i64, usize), f64)> {
+fn by_labels(written: &Written) -> Vec<Labelled> {
     let label = |row: usize| match &written.labels {
         Some(labels) => labels[row],
         None => (NODES[row / 3], row % 3),
