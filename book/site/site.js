@@ -22,3 +22,12 @@ document.getElementById("mdbook-sidebar-toggle").addEventListener("keydown", (ev
     event.currentTarget.click();
   }
 });
+
+// The bar at the side is scrolled to the page that is shown, and browsers start the keyboard there: it starts at the top, where the link past
+// the navigation is.
+window.addEventListener("load", () => {
+  if (document.activeElement !== document.body || location.hash) return;
+  document.body.tabIndex = -1;
+  document.body.focus({ preventScroll: true });
+  document.body.removeAttribute("tabindex");
+});
