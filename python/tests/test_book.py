@@ -60,6 +60,7 @@ def test_symbols_name_what_results_have(folder):
     profiles = (folder / "results" / "profiles.csv").read_text("utf-8").splitlines()[0].replace("_pin_", "_BODY_")
     known = {*profiles.split(","), *re.findall(r"`([^`]+)`", (BOOK / "results.md").read_text("utf-8"))}
     rows = [row.split("|") for row in (BOOK / "symbols.md").read_text("utf-8").splitlines() if row.startswith("|")]
-    names = [name for row in rows for name in re.findall(r"`([^`]+)`", row[-2])]
+    # Keys of a case, which stand in the same column, have dots.
+    names = [name for row in rows for name in re.findall(r"`([^`]+)`", row[-2]) if "." not in name]
     assert len(names) > 25
     assert [name for name in names if name not in known] == []
