@@ -169,6 +169,13 @@ impl<'a> Model<'a> {
         (vec![vec![1.0; self.blocks.len()], self.along.clone(), growth], heights)
     }
 
+    /// The columns of height and tilt, and the heights less the model's.
+    pub fn line(&self, shift: f64, grown: f64) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let model = self.heights(shift, grown);
+        let heights = self.blocks.heights.iter().zip(&model).map(|(z, model)| z - model).collect();
+        (vec![vec![1.0; self.blocks.len()], self.along.clone()], heights)
+    }
+
     /// A step (m) of places over which a section hardly bends, and that is seen between blocks.
     pub fn near(&self, grown: f64) -> f64 {
         (1e-3 * self.shape.width(grown)).max(0.2 * self.blocks.step())

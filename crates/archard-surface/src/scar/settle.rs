@@ -7,7 +7,7 @@ use argmin::solver::neldermead::NelderMead;
 use statrs::function::erf::erfc_inv;
 
 use super::FREEDOM;
-use super::model::{Gls, LINEAR, Model, Scatter};
+use super::model::{Gls, Model, Scatter};
 use super::place::{self, GROWN};
 use super::shape::LEAST;
 use crate::outliers::{BY_MEDIAN, median};
@@ -25,8 +25,8 @@ const MOST_TEXTURE: f64 = 0.1;
 /// Rounds of variances and weights, at most; they end where the place changes by less than a tenth of its uncertainty.
 const ROUNDS: usize = 12;
 const STAYS: f64 = 0.1;
-/// Steps of the search for variances: twenty moves of each corner of the simplex. A choice of cost.
-const STEPS: u64 = 120;
+/// Steps of the search for variances, place and growth: twenty moves of each corner of the simplex. A choice of cost.
+const STEPS: u64 = 140;
 /// A texture this share of the most that it may be stands at that bound: the simplex ends so near to it.
 const AT_BOUND: f64 = 0.95;
 /// Differences of the logarithm of a likelihood below this are none: one half is a standard deviation.
@@ -56,6 +56,9 @@ pub(super) struct Settled {
 
 /// Noise, texture, misfit, and the correlation length of the last two.
 const VARIANCES: usize = 4;
+/// The logarithm of the growth has this share of the search's first step for the place, over the width: widths go with the cube root
+/// of a section where the body is round.
+const BY_GROWTH: f64 = 3.0;
 
 /// Bounds of the logarithms of variances and lengths.
 struct Bounds {
@@ -63,7 +66,7 @@ struct Bounds {
     high: [f64; VARIANCES],
 }
 
-/// The restricted likelihood of a place and of variances.
+/// The likelihood of a place, a growth and variances, restricted to what a line leaves of the heights.
 struct Likelihood<'a> {
     model: &'a Model<'a>,
     bounds: &'a Bounds,
@@ -79,17 +82,18 @@ impl Bounds {
 }
 
 impl Likelihood<'_> {
-    /// The place that numbers stand for.
-    fn shift(&self, numbers: &[f64]) -> f64 {
-        self.shift + numbers[VARIANCES] * self.model.shape.width(self.grown)
+    /// The place and the growth that numbers stand for: one is worth nothing without the other, so both are sought at once.
+    fn place(&self, numbers: &[f64]) -> (f64, f64) {
+        let shift = self.shift + numbers[VARIANCES] * self.model.shape.width(self.grown);
+        (shift, (self.grown * numbers[VARIANCES + 1].exp()).clamp(GROWN[0], GROWN[1]))
     }
 
     /// The fit with these numbers.
     fn fit(&self, numbers: &[f64]) -> Option<Gls> {
-        let shift = self.shift(numbers);
-        let (columns, heights) = self.model.linear(shift, self.grown);
+        let (shift, grown) = self.place(numbers);
+        let (columns, heights) = self.model.line(shift, grown);
         let scatter = Scatter::of(self.bounds.within(numbers));
-        let worn = self.model.worn(shift, self.grown);
+        let worn = self.model.worn(shift, grown);
         Gls::of(self.model.covariance(scatter, self.weights, &worn)?, &columns, &heights)
     }
 }
@@ -137,11 +141,20 @@ impl Settled {
         let mut debris = vec![false; blocks.len()];
         for round in 1..=ROUNDS {
             let likelihood = Likelihood { model, bounds: &bounds, weights: &weights, shift, grown };
-            let found = likelihood.greatest(&logarithms, 0.02 / round as f64)?;
+            let near = 0.02 / round as f64;
+            let mut found = likelihood.greatest(&logarithms, 0.0, near)?;
+            if round == 1 {
+                // The form as computed, which misses as much as there is: the likelihood has a summit there too.
+                let [noise, _, _, length] = logarithms;
+                let other = likelihood.greatest(&[noise, noise, 0.0, length], -grown.ln(), near)?;
+                if likelihood.cost(&other).ok()? < likelihood.cost(&found).ok()? {
+                    found = other;
+                }
+            }
             logarithms = bounds.within(&found);
-            let before = std::mem::replace(&mut shift, likelihood.shift(&found));
             let gls = likelihood.fit(&found)?;
-            grown = gls.numbers[LINEAR - 1].clamp(GROWN[0], GROWN[1]);
+            let before = shift;
+            (shift, grown) = likelihood.place(&found);
             let scatter = Scatter::of(logarithms);
             weights = expected(&gls, scatter.noise, &weights);
             settle_debris(&mut debris, (&gls.residuals, floor), &model.worn(shift, grown));
@@ -173,11 +186,11 @@ impl Settled {
 }
 
 impl Likelihood<'_> {
-    /// The numbers at which it is greatest, by J. A. Nelder's and R. Mead's simplex, from one around logarithms of variances and a place.
-    fn greatest(&self, logarithms: &[f64; VARIANCES], near: f64) -> Option<Vec<f64>> {
+    /// The numbers at which it is greatest, by J. A. Nelder's and R. Mead's simplex, from one around logarithms of variances, a place and a growth.
+    fn greatest(&self, logarithms: &[f64; VARIANCES], grown: f64, near: f64) -> Option<Vec<f64>> {
         // A factor of two each way for variances.
-        let reach = [LN_2; VARIANCES].into_iter().chain([near]);
-        let start: Vec<f64> = logarithms.iter().copied().chain([0.0]).collect();
+        let reach = [LN_2; VARIANCES].into_iter().chain([near, BY_GROWTH * near]);
+        let start: Vec<f64> = logarithms.iter().copied().chain([0.0, grown]).collect();
         let corner = |(at, reach): (usize, f64)| {
             let mut corner = start.clone();
             corner[at] += reach;
@@ -208,7 +221,8 @@ fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
     (0..weights.len()).map(weight).collect()
 }
 
-/// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours that lie off together by more than texture there.
+/// Marks debris and pile-up next to the scar, which are no part of the level: neighbours that rise together by more than texture does there.
+/// What lies lower there is wear that the computed shape does not reach.
 fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &[f64]) {
     let unworn: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
     // The median of fewer may be that of debris.
@@ -221,15 +235,12 @@ fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &
     let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(least);
     let bound = SQRT_2 * erfc_inv(0.5 / residuals.len() as f64) * spread;
     for at in 1..residuals.len() - 1 {
-        let mean = residuals[at - 1..=at + 1].iter().sum::<f64>() / DEBRIS as f64 - middle;
-        if worn[at] <= 0.0 && mean.abs() > bound {
+        let next: Vec<usize> = (at - 1..=at + 1).filter(|&own| worn[own] <= 0.0).collect();
+        let mean = next.iter().map(|&own| residuals[own]).sum::<f64>() / next.len() as f64 - middle;
+        if worn[at] <= 0.0 && next.len() > 1 && mean > bound {
+            // It reaches a reading into the scar.
             debris[at - 1..=at + 1].fill(true);
         }
-    }
-    // Within the scar it is wear.
-    let on = |at: usize| worn.get(at).is_some_and(|own| *own <= 0.0);
-    for (at, debris) in debris.iter_mut().enumerate() {
-        *debris &= on(at) || at >= 2 && on(at - 2) || on(at + 2);
     }
 }
 

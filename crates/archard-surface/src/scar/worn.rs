@@ -8,7 +8,7 @@ use faer::Mat;
 use super::model::{Model, dot};
 use super::settle::Settled;
 
-/// Part of the width beyond the scar, on either side, that its section is summed over: a model that is a tenth too narrow loses nothing.
+/// Part of the width beyond the scar, on either side, that its section is summed over.
 const BEYOND: f64 = 0.05;
 /// The part of the width that the parabola of the depth is fitted to: half of it, where a scar hardly differs from a parabola.
 const BOTTOM: f64 = 0.5;
@@ -105,11 +105,16 @@ impl<'a> Worn<'a> {
         if scatter < DITHERED * blocks.step { blocks.step } else { 0.0 }
     }
 
-    /// From where to where the section is summed (m).
+    /// From where to where the section is summed (m): over the scar of the model, and on to where readings no longer lie below the level
+    /// by more than they scatter.
     fn zone(&self) -> [f64; 2] {
-        let [low, high] = self.model.shape.extent(self.settled.grown);
+        let Settled { shift, grown, scatter, .. } = self.settled;
+        let [low, high] = self.model.shape.extent(*grown);
         let half = high.max(-low) + BEYOND * (high - low);
-        [self.settled.shift - half, self.settled.shift + half]
+        let level = scatter.noise.hypot(scatter.texture);
+        let [from, to] = edges(&self.model.blocks.places, &self.depths, level)
+            .map_or([*shift; 2], |[from, to]| [from.0, to.0]);
+        [from.min(shift - half), to.max(shift + half)]
     }
 
     /// The worn section (m^2), the part of it that was not measured and is the model's, and its change with height, tilt, growth

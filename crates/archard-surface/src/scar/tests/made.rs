@@ -15,11 +15,12 @@ pub(super) enum Kind {
     OneSide,
     Cylinder,
     NoFlat,
+    Coarse,
 }
 
 /// All kinds whose level is told.
-pub(super) const KINDS: [Kind; 5] =
-    [Kind::Plain, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder];
+pub(super) const KINDS: [Kind; 6] =
+    [Kind::Plain, Kind::Debris, Kind::Spikes, Kind::Rough, Kind::Cylinder, Kind::Coarse];
 
 const RADIUS: f64 = 20e-3;
 /// The section of the computed shape (m^2).
@@ -27,6 +28,8 @@ pub(super) const SECTION: f64 = 0.078e-6;
 /// The radius of the cylinder that is worn (m).
 const BODY: f64 = 60e-3;
 const READINGS: usize = 400;
+/// Of a coarse profile one reading in so many is there.
+const APART: usize = 13;
 
 /// A profile and what is true of it.
 pub(super) struct Made {
@@ -88,6 +91,7 @@ pub(super) fn made(kind: Kind, seed: u64) -> Made {
     let share = match kind {
         Kind::NoFlat => 0.02,
         Kind::OneSide => 0.4,
+        Kind::Coarse => one_of(&mut random, &[0.6, 1.0, 1.4]),
         _ => one_of(&mut random, &[0.1, 0.25, 0.6]),
     };
     let low = shift - 0.5 * width - share * width;
@@ -95,6 +99,8 @@ pub(super) fn made(kind: Kind, seed: u64) -> Made {
     let step = (high - low) / (READINGS - 1) as f64;
     let places: Vec<f64> = (0..READINGS).map(|i| low + step * i as f64).collect();
     let length = (0.04 + 0.08 * random.f64()) * width;
+    // A form that changes between two readings is known to nobody.
+    let length = if kind == Kind::Coarse { length.max(1.5 * APART as f64 * step) } else { length };
     let misfit = waves(&places, length, &mut random);
     let texture = waves(&places, 30e-6, &mut random);
     let rough =
@@ -121,6 +127,9 @@ pub(super) fn made(kind: Kind, seed: u64) -> Made {
             let spike = one_of(&mut random, &[-30e-6, 10e-6, 50e-6, 200e-6]);
             readings[random.usize(0..READINGS)][1] += spike;
         }
+    }
+    if kind == Kind::Coarse {
+        readings = readings.into_iter().step_by(APART).collect();
     }
     Made { readings, kind, shift, grown, section }
 }

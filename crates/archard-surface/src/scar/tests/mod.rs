@@ -72,13 +72,13 @@ fn table(seeds: u64) -> Vec<(Kind, Covered)> {
         .to_vec()
 }
 
-/// Of five profiles a kind nearly all are accepted, and 95 % intervals hold: three in 25 do not once in 100 times.
+/// Of five profiles a kind nearly all are accepted, and 95 % intervals hold: three in 30 do not once in 60 times.
 #[test]
 fn sections_lie_within_their_intervals() {
     let all = table(5);
     let sum = |of: &dyn Fn(&Covered) -> usize| all.iter().map(|own| of(&own.1)).sum::<usize>();
     let accepted = sum(&|own| own.accepted);
-    assert!(accepted >= 20 && sum(&|own| own.section) + 3 >= accepted, "{all:?}");
+    assert!(accepted >= 25 && sum(&|own| own.section) + 3 >= accepted, "{all:?}");
     assert!(sum(&|own| own.place) + 4 >= accepted && sum(&|own| own.depth) == accepted, "{all:?}");
 }
 
@@ -284,5 +284,19 @@ fn any_readings_have_an_answer() {
                 "{round}: {scar:?}"
             );
         }
+    }
+}
+
+/// A scar as wide as the computed one and of another depth: the form is not the law's, the section is that of the readings.
+#[test]
+fn scars_of_another_depth_are_found() {
+    for deeper in [0.5, 0.7, 0.9, 1.1, 1.4, 1.5, 1.7, 2.0] {
+        let readings: Vec<[f64; 2]> = (-150..=150)
+            .map(|i| 2e-5 * f64::from(i))
+            .map(|x| [x + 4e-4, 3e-5 + 2e-3 * x - deeper * ring(x, made::SECTION)])
+            .collect();
+        let scar = Scar::find(&readings, &|_| 0.0, &computed()).unwrap();
+        let off = scar.section.value - deeper * made::SECTION;
+        assert!(off.abs() < scar.section.expanded + 1e-3 * made::SECTION, "{deeper}: {scar:?}");
     }
 }
