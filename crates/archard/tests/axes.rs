@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use archard::body::Profile;
 use archard::body::profile::{Disc, Flat, Paraboloid};
+use archard::compliance::{Compliance, HalfSpace};
 use archard::frame::Direction;
 use archard::friction::Coulomb;
 use archard::motion::{Axis, Control, Drive, Rolling};
@@ -114,4 +115,44 @@ fn a_cylinder_on_a_washer_is_strips_of_carters() {
             near(depth, k * per_length * y.abs() / track, 1e-3);
         }
     }
+}
+
+/// Strips whose loads differ press on one another: what that moves them by is the difference of the half-spaces under the whole frame and of
+/// those in plane strain, and the loads follow by what a strip yields to.
+#[test]
+fn strips_neglect_what_others_press_them_by() {
+    let (r, length, strips) = (5.5e-3, 11e-3, 11);
+    let contact = |load: f64| {
+        let bodies = [body("roller", Disc::new(r).unwrap()), body("washer", Flat)];
+        let rolling = Rolling::along(Direction::X).longitudinal(Drive::Force(0.0)).spin(25.0);
+        let mut builder = Contact::rolling(bodies, rolling, Control::Load(load)).unwrap();
+        builder.friction = Some(Arc::new(Coulomb::new(0.1).unwrap()));
+        builder.strips([0.3e-3, length], [96, strips]).solve().unwrap()
+    };
+    let (own, more) = (contact(1000.0), contact(1010.0));
+    let yields = (more.approach() - own.approach()) / (10.0 / length);
+    let problem = own.problem();
+    // A tenth more on one side, a tenth less on the other: straight in between.
+    let middle = 0.5 * (strips - 1) as f64;
+    let more = |pair: usize| 0.1 * ((pair / 96) as f64 - middle) / middle;
+    let pressure: Vec<f64> =
+        own.pressure().iter().enumerate().map(|(at, p)| (1.0 + more(at)) * p).collect();
+    let apart: Vec<f64> = own.pressure().iter().enumerate().map(|(at, p)| more(at) * p).collect();
+    let displaced = |compliance: &dyn Compliance| {
+        let mut moved = vec![0.0; apart.len()];
+        compliance.apply_normal(&apart, &mut moved);
+        moved
+    };
+    let materials = problem.bodies.each_ref().map(|body| body.material.as_ref());
+    let whole = displaced(&HalfSpace::new(materials, &problem.frame));
+    let alone = displaced(&*problem.compliance);
+    // In the middle of each strip, where the load acts.
+    let off = (0..strips).map(|strip| {
+        let at = 96 * strip + 48;
+        0.5 * (whole[at] - alone[at] + whole[at - 1] - alone[at - 1]) / yields / (1000.0 / length)
+    });
+    let known = off.fold(0.0, |most: f64, one| most.max(one.abs()));
+    let found = problem.strips_neglect(&pressure).unwrap();
+    assert!(known > 0.01, "{known}");
+    near(found, known, 0.05);
 }

@@ -8,7 +8,8 @@
 //! from others   S dF' ln((d + h/2)/(d - h/2))        from itself   S dF' {2 ln(h/D) + 1/(1 - nu)}
 //! ```
 //!
-//! The load follows by what a strip of the half-width a yields to: S {2 ln(2 D/a) - 1/(1 - nu)}, the slope of Hertz's approach.
+//! The load follows by what a strip of the half-width a yields to: S {2 ln(2 D/a) - 1/(1 - nu)}, the slope of Hertz's approach. All have the
+//! mean half-width.
 
 use super::ContactProblem;
 use crate::body::{Body, Material};
@@ -22,8 +23,8 @@ impl ContactProblem {
         if !frame.is_line() || strips == 1 {
             return None;
         }
-        let rows: Vec<&[f64]> = pressure.chunks(along).collect();
-        let loads: Vec<f64> = rows.iter().map(|row| width * row.iter().sum::<f64>()).collect();
+        let rows = pressure.chunks(along);
+        let loads: Vec<f64> = rows.map(|row| width * row.iter().sum::<f64>()).collect();
         let mean = loads.iter().sum::<f64>() / strips as f64;
         let depths = Body::depths(self.bodies.each_ref(), frame.size()[0]);
         let sum = |part: &dyn Fn(&Material, f64) -> f64| -> f64 {
@@ -37,7 +38,12 @@ impl ContactProblem {
         let all = sum(&|_, _| 1.0);
         let itself =
             sum(&|material, depth| 2.0 * (length / depth).ln() + (1.0 - material.poisson).recip());
-        let neglected = |(strip, row): (usize, &&[f64])| {
+        let pressed = pressure.iter().filter(|one| **one > 0.0).count();
+        let half_width = 0.5 * width * pressed as f64 / strips as f64;
+        let yields = sum(&|material, depth| {
+            2.0 * (2.0 * depth / half_width).ln() - (1.0 - material.poisson).recip()
+        });
+        let neglected = |strip: usize| {
             let from = |other: usize| {
                 let apart = strip.abs_diff(other) as f64;
                 let of_one = match other == strip {
@@ -46,13 +52,8 @@ impl ContactProblem {
                 };
                 (loads[other] - mean) * of_one
             };
-            let pressed = row.iter().filter(|one| **one > 0.0).count();
-            let half_width = 0.5 * width * pressed as f64;
-            let yields = sum(&|material, depth| {
-                2.0 * (2.0 * depth / half_width).ln() - (1.0 - material.poisson).recip()
-            });
             ((0..strips).map(from).sum::<f64>() / (yields * mean)).abs()
         };
-        (mean > 0.0).then(|| rows.iter().enumerate().map(neglected).fold(0.0, f64::max))
+        (mean > 0.0).then(|| (0..strips).map(neglected).fold(0.0, f64::max))
     }
 }

@@ -132,7 +132,7 @@ struct Contact {
 /// Presses the bodies together in a window; `None` where that does not work.
 fn press(case: &Case, window: Rectangle) -> Option<Contact> {
     let mut case = case.clone();
-    let elements = if case.frame.line { [OF_A_LINE, 1] } else { [WINDOW; 2] };
+    let elements = if case.frame.line { [OF_A_LINE, case.frame.elements[1]] } else { [WINDOW; 2] };
     let Rectangle { centre, size } = window;
     case.frame = FrameCase { centre, size, elements, ..case.frame };
     let simulation = case.build().ok()?;
