@@ -207,7 +207,21 @@ pub fn by_load(
 
 #[cfg(test)]
 mod tests {
-    use super::Exponent;
+    use super::{Exponent, over_loads};
+    use crate::within::{Fitted, Test};
+
+    /// A dead weight that was measured a little differently in each test is one load, of which no exponent is told; two loads tell one.
+    #[test]
+    fn nearly_equal_loads_are_one() {
+        let fitted = [0.0, 0.1, -0.1, 0.05];
+        let fitted = fitted.map(|log_k| Fitted { log_k, slopes: vec![], residuals: vec![] });
+        let tests = |loads: [f64; 4]| {
+            loads.map(|load| Test { name: load.to_string(), load: Some(load), readings: vec![] })
+        };
+        assert_eq!(over_loads(&tests([10.005, 10.002, 9.998, 10.0]), &fitted), None);
+        let two = over_loads(&tests([10.0, 10.0, 20.0, 20.0]), &fitted).unwrap();
+        assert!(!two.rejects() && two.value.abs() < 0.2, "{two:?}");
+    }
 
     #[test]
     fn what_is_accepted_has_its_reason() {
