@@ -55,6 +55,7 @@ mod verification {
     mod stresses_under_contact;
     mod superelement;
     mod swinging;
+    mod t_gamma;
     mod tetrahedra;
     mod track;
     mod unequal_pairs;

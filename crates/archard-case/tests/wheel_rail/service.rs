@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use super::{MANCHESTER, WEARS, resolve, with_route};
+use super::routes::{WEARS, with_route};
+use super::{MANCHESTER, resolve};
 
 /// A wheel that is sent over the distance of its life has just the depth of its limit, to the errors that are stated; limits that are not
 /// reached say so, and those of a standard follow from the diameter.
