@@ -11,6 +11,7 @@ __all__ = [
     "UNITS",
     "CaseFile",
     "Checked",
+    "Inside",
     "Run",
     "WheelRail",
     "__version__",
@@ -50,6 +51,15 @@ class CaseFile:
 
     def __new__(cls, name: str, text: str, folder: str | PathLike[str], options: Sequence[str]) -> CaseFile: ...
     def check(self) -> Checked: ...
+
+@final
+class Inside:
+    """A body of a contact below its surface."""
+
+    @property
+    def name(self) -> str: ...
+    def at(self, places: Sequence[Sequence[float]]) -> NDArray[np.float64]: ...
+    def plane(self, depth: float) -> NDArray[np.float64]: ...
 
 @final
 class Checked:
@@ -111,7 +121,9 @@ def wear_gears(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tup
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def solve_contact(
     file: CaseFile,
-) -> tuple[tuple[int, int] | None, list[tuple[str, NDArray[np.float64]]], list[tuple[str, float]]]: ...
+) -> tuple[
+    tuple[int, int] | None, list[tuple[str, NDArray[np.float64]]], list[tuple[str, float]], list[Inside]
+]: ...
 def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...
 def fit(
     case: CaseFile,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from archard import _archard
 from archard.case import Case
@@ -42,11 +42,53 @@ class Contact:
     """Area (m^2) under pressure."""
     force: tuple[float, float]
     """Force of friction (N) on body 1 along x and y."""
+    _inside: tuple[_archard.Inside, ...] = field(repr=False, compare=False)
 
     @property
     def peak_pressure(self) -> float:
         """Largest pressure (Pa) of a pair."""
         return float(self.pressure.max())
+
+    def stress_at(self, points: ArrayLike, body: str) -> Array:
+        """Return the stresses (Pa) at places in a half-space: xx, yy, zz, xy, xz, yz, positive in tension.
+
+        Args:
+            points: x, y and z (m) of each place, z negative in the body.
+            body: the body's name in the case.
+
+        The result has a row of six a place. It is exact for the tractions of the elements; a run with
+        ``output.stress`` says how far these are off.
+
+        Raises:
+            ValueError: if the body is rigid, meshed or none of this contact, or a place lies above its surface or
+                where pressures beyond the frame count.
+
+        """
+        places = np.atleast_2d(np.asarray(points, dtype=float))
+        if places.ndim != 2 or places.shape[1] != 3 or not np.isfinite(places).all():
+            raise ValueError(f"points are rows of x, y and z in m, not an array of shape {np.shape(points)}")
+        return self._body(body).at(places.tolist())
+
+    def stress(self, depth: float, body: str) -> Array:
+        """Return the stresses (Pa) in a plane below all pairs of a grid, of shape (6, ny, nx).
+
+        Components and errors are those of :meth:`stress_at`; NaN where pressures beyond the frame count.
+
+        Args:
+            depth: how deep the plane lies (m).
+            body: the body's name in the case.
+
+        """
+        if not (np.isfinite(depth) and depth >= 0):
+            raise ValueError(f"a depth in m is not negative, not {depth!r}")
+        return self._body(body).plane(float(depth)).reshape(6, *self.pressure.shape)
+
+    def _body(self, name: str) -> _archard.Inside:
+        for own in self._inside:
+            if own.name == name:
+                return own
+        names = " and ".join(repr(own.name) for own in self._inside)
+        raise ValueError(f"no body {name!r} in this contact, which is between {names}")
 
     def __repr__(self) -> str:
         return (
@@ -98,7 +140,7 @@ def contact(
                 del own[key]
         own["motion"] = {"indentation": pressed}
     own._compiled_check(None, None)
-    elements, fields, values = _archard.solve_contact(own._compiled())
+    elements, fields, values, inside = _archard.solve_contact(own._compiled())
     found, known = dict(fields), dict(values)
     if elements is not None:
         found = {name: field.reshape(elements[1], elements[0]) for name, field in found.items()}
@@ -113,4 +155,5 @@ def contact(
         load=known["load"],
         area=known["area"],
         force=(known["force_x"], known["force_y"]),
+        _inside=tuple(inside),
     )

@@ -1,9 +1,10 @@
 //! One contact of a case, solved once.
 
 use archard::Contact;
+use archard::elastic::{Point, Pressed};
 use archard::motion::Motion;
 use archard_case::Task;
-use numpy::PyArray1;
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -13,10 +14,52 @@ use crate::case::{CaseFile, refused, resolve};
 pyo3::import_exception!(archard._errors, RunError);
 
 type Field<'py> = Bound<'py, PyArray1<f64>>;
+type Field2<'py> = Bound<'py, PyArray2<f64>>;
 
 /// Elements along x and y of a grid; `x`, `y`, `pressure`, `gap` and, with friction, `traction_x` and `traction_y`, one value a
-/// pair; and `approach`, `load`, `area`, `force_x` and `force_y`, all in SI.
-type Solved<'py> = (Option<[usize; 2]>, Vec<(&'static str, Field<'py>)>, Vec<(&'static str, f64)>);
+/// pair; `approach`, `load`, `area`, `force_x` and `force_y`, all in SI; and both bodies below their surfaces.
+type Solved<'py> =
+    (Option<[usize; 2]>, Vec<(&'static str, Field<'py>)>, Vec<(&'static str, f64)>, Vec<Inside>);
+
+/// A body of a contact below its surface.
+#[pyclass(frozen, module = "archard._archard")]
+pub struct Inside {
+    /// The user's name for it.
+    #[pyo3(get)]
+    name: String,
+    pressed: Result<Pressed, String>,
+}
+
+#[pymethods]
+impl Inside {
+    /// Stresses (Pa) at places (m), six a place.
+    fn at<'py>(&self, py: Python<'py>, places: Vec<[f64; 3]>) -> PyResult<Field2<'py>> {
+        let pressed = self.pressed()?;
+        let point = |(number, place)| Point { name: format!("{number}"), place };
+        let points: Vec<Point> = places.into_iter().enumerate().map(point).collect();
+        let found = py.detach(|| pressed.points(&points));
+        let found = found.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let components = found.iter().flat_map(|own| {
+            let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = own.stress;
+            [xx, yy, zz, xy, xz, yz]
+        });
+        PyArray1::from_vec(py, components.collect()).reshape([found.len(), 6])
+    }
+
+    /// Stresses (Pa) at a depth (m) below all pairs, six times as many.
+    fn plane<'py>(&self, py: Python<'py>, depth: f64) -> PyResult<Field<'py>> {
+        let pressed = self.pressed()?;
+        pressed.check(&[depth]).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let plane = py.detach(|| pressed.plane(depth, &[0.0; 6]));
+        Ok(PyArray1::from_vec(py, plane.concat()))
+    }
+}
+
+impl Inside {
+    fn pressed(&self) -> PyResult<&Pressed> {
+        self.pressed.as_ref().map_err(|why| PyValueError::new_err(why.clone()))
+    }
+}
 
 /// Why there is no contact.
 enum Unsolved {
@@ -60,7 +103,11 @@ pub fn solve_contact<'py>(py: Python<'py>, file: &CaseFile) -> PyResult<Solved<'
         ("force_y", y),
     ];
     let fields = fields.into_iter().map(|(name, field)| (name, PyArray1::from_vec(py, field)));
-    Ok((frame.is_uniform().then(|| frame.elements()), fields.collect(), values))
+    let inside = [0, 1].map(|body| Inside {
+        name: contact.problem().bodies[body].name.clone(),
+        pressed: contact.below(body).map_err(|error| error.to_string()),
+    });
+    Ok((frame.is_uniform().then(|| frame.elements()), fields.collect(), values, inside.into()))
 }
 
 fn solve(mut simulation: archard::Simulation) -> Result<Contact, Unsolved> {

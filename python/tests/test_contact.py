@@ -101,3 +101,42 @@ def test_what_cannot_be_is_said():
         archard.contact(rubs)
     with pytest.raises(ValueError, match="two bodies"):
         archard.contact("patch_test")
+
+
+def test_stresses_below_a_ball_are_hertz_s():
+    """Along the axis of a contact (Johnson, Contact Mechanics, 3.45), in a plane, and in both bodies."""
+    case = {"body": {"ball": BALL, "flat": FLAT}, "frame": FRAME}
+    solved = archard.contact(case, load="10.2 N")
+    radius = (3 * 10.2 * 50e-3 / (4 * MODULUS)) ** (1 / 3)
+    peak = 3 * 10.2 / (2 * np.pi * radius**2)
+    depth = radius * np.array([0.3, 0.48, 1.0, 2.0])
+    s = depth / radius
+    zz = -peak / (1 + s**2)
+    rr = -peak * (1.3 * (1 - s * np.arctan(1 / s)) - 0.5 / (1 + s**2))
+    points = np.column_stack([np.zeros(4), np.zeros(4), -depth])
+    for body in ("ball", "flat"):
+        stress = solved.stress_at(points, body)
+        assert stress[:, 2] == pytest.approx(zz, rel=5e-3)
+        assert stress[:, 0] == pytest.approx(rr, abs=5e-3 * peak)
+        assert np.abs(stress[:, 3:]).max() < 1e-6 * peak
+    plane = solved.stress(radius, "flat")
+    assert plane.shape == (6, 48, 48)
+    row = [solved.x[10, 20], solved.y[10, 20], -radius]
+    assert plane[:, 10, 20] == pytest.approx(solved.stress_at(row, "flat")[0], rel=1e-9, abs=1.0)
+    # An even share of the load crosses the plane within the frame: what is missing lies beyond.
+    crossing = -plane[2].sum() * (0.36e-3 / 48) ** 2
+    assert 0.8 * 10.2 < crossing < 10.2
+    for bad in ([0, 0, 1e-6], [0, 0], [[np.nan, 0, -1e-5]]):
+        with pytest.raises(ValueError, match="point"):
+            solved.stress_at(bad, "flat")
+    with pytest.raises(ValueError, match="'ball' and 'flat'"):
+        solved.stress(1e-5, "disc")
+
+
+def test_a_rigid_body_has_no_stress():
+    """It is said, with the name of what stands in the way."""
+    rigid = {"rigid": True, "profile": {"sphere": {"radius": "50 mm"}}}
+    solved = archard.contact({"body": {"ball": rigid, "flat": FLAT}, "frame": FRAME}, load="10.2 N")
+    with pytest.raises(ValueError, match="rigid"):
+        solved.stress_at([0, 0, -1e-5], "ball")
+    assert solved.stress_at([0, 0, -1e-5], "flat")[0, 2] < 0

@@ -149,6 +149,14 @@ pub enum ElasticError {
         /// What is wrong.
         cause: SectionError,
     },
+    /// The stresses of a body in contact do not follow from its tractions alone.
+    #[error("body {} {why}", .body + 1)]
+    Unknown {
+        /// The body's index, 0 or 1.
+        body: usize,
+        /// Why.
+        why: &'static str,
+    },
     /// Its equations have no solution.
     #[error("{cause}; {}", advice(.cause))]
     Singular {

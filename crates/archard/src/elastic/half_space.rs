@@ -33,11 +33,8 @@ impl Pressed {
         if body.uppermost().is_none() {
             return Some("is rigid and has no stress");
         }
-        let round = bodies.iter().all(|body| body.profile.fitted().is_some());
-        if round && !body.layers.is_empty() {
-            return Some(
-                "has layers that are round as the other body is, whose stresses are not computed",
-            );
+        if bodies.iter().all(|body| body.profile.fitted().is_some()) {
+            return Some("is round as the other body is, so that its stresses are not computed");
         }
         if body.finite.as_ref().is_some_and(|_| !body.has_image()) {
             return Some(
@@ -72,10 +69,6 @@ impl Pressed {
         let own = VectorField { t1, t2, n: tractions.n.clone() };
         let depth = Body::depths(bodies, frame.size()[0])[which];
         let body = bodies[which];
-        // Layers on a round surface are round themselves.
-        if !body.layers.is_empty() && frame.wrap().is_some() {
-            return None;
-        }
         let below = Below::new(body.uppermost()?, frame, &own, depth)?;
         let below = below.layered(&body.layers, body.material.as_ref());
         let ground = if body.material.is_some() { f64::INFINITY } else { body.coated() };

@@ -239,8 +239,9 @@ impl Pressed {
         first.into_iter().chain(inner).chain(last).collect()
     }
 
-    /// The stresses in a plane, with an even one; no numbers where they are not known.
-    fn plane(&self, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
+    /// The stresses (Pa) in a plane at a depth (m), with an even one added, in the order of [`Components`]: a value below the centre of
+    /// each element, no number where it is not known.
+    pub fn plane(&self, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
         let mut plane = self.below.plane(depth);
         for (field, added) in plane.iter_mut().zip(initial) {
             for (element, value) in field.iter_mut().enumerate() {

@@ -8,6 +8,7 @@ use super::passing::{self, WornLine};
 use super::placed::Placed;
 use super::setup::Simulation;
 use crate::body::Body;
+use crate::elastic::{ElasticError, Pressed};
 use crate::motion::{Control, Motion, Rolling, Station, Stepping};
 use crate::numerics::vector::in_pool;
 use crate::parameters::Invalid;
@@ -137,6 +138,23 @@ impl Contact {
     pub fn force(&self) -> [f64; 2] {
         let tangential = self.state.tangential.as_ref();
         tangential.map_or([0.0; 2], |tangential| tangential.force(&self.problem().frame))
+    }
+
+    /// Stresses and displacements below the surface of a body, by its index 0 or 1, under the tractions of the contact.
+    ///
+    /// # Errors
+    /// If the body is rigid, meshed, or round as the other one: no half-space under a uniform frame stands for it.
+    pub fn below(&self, body: usize) -> Result<Pressed, ElasticError> {
+        let problem = self.problem();
+        let (bodies, frame) = (problem.bodies.each_ref(), &problem.frame);
+        if let Some(why) = Pressed::refuses(bodies, body) {
+            return Err(ElasticError::Unknown { body, why });
+        }
+        let pressed = Pressed::in_contact(bodies, body, frame, &problem.tractions(&self.state));
+        let why = "is no half-space under a uniform frame: run its case with `output.points`";
+        let pressed = pressed.ok_or(ElasticError::Unknown { body, why })?;
+        // A frame without an end repeats itself.
+        Ok(if frame.measure().closed { pressed.repeated() } else { pressed })
     }
 
     /// Depths (m) that one passage wears off each line of surfaces that pass; none where none pass.
