@@ -1,5 +1,8 @@
 //! Wear over a route, against closed forms and against itself.
 
+#[path = "wear/laws.rs"]
+mod laws;
+
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -35,6 +38,7 @@ fn bodies(wears: [bool; 2]) -> Bodies {
         friction: friction(),
         flange: None,
         wear,
+        flange_wear: None,
         shear_yield: 800e6,
     }
 }

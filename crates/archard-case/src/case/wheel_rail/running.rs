@@ -29,6 +29,10 @@ pub struct Running {
     pub gauge: [f64; 2],
     /// Distance (m) between the backs of the wheels, and y (m) of the back on a profile.
     pub flange_back: [f64; 2],
+    /// y (m) on the profile of the wheel where the flange begins that has friction or wear of its own.
+    pub flange_from: Option<f64>,
+    /// Whether the friction on the flange is its own.
+    pub lubricated: bool,
     /// How it stands and runs.
     pub state: State,
     /// Distance (m) up to which overlaps are one patch.
@@ -333,14 +337,17 @@ fn build(values: &Values) -> Result<Running, Invalid> {
     if values.number("pitch_rate").is_some() && values.number("axle_moment").is_some() {
         return Err(Invalid::exclusive("axle_moment", "pitch_rate", "keep one"));
     }
-    let on_the_flange = values.number("flange_friction").is_some()
+    let lubricated = values.number("flange_friction").is_some()
         || route.iter().any(|(name, _)| name == "flange_friction");
-    if on_the_flange != values.number("flange_from").is_some() {
-        let message = "`flange_friction` and `flange_from`, where it begins, count together";
+    let flange_from = values.number("flange_from");
+    if lubricated && flange_from.is_none() {
+        let message = "is missing: `flange_friction` counts from there on";
         return Err(Invalid::new("flange_from", message));
     }
     let running = Running {
         sides,
+        flange_from,
+        lubricated,
         gauge: [or("gauge", standard.gauge), or("gauge_height", standard.gauge_height)],
         flange_back: [or("flange_back", 1.36), or("flange_back_position", -0.07)],
         state: State {
@@ -357,7 +364,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             curvature: or("curvature", 0.0),
             friction: None,
             flange_friction: values.number("flange_friction"),
-            flange_from: or("flange_from", 0.0),
+            flange_from: flange_from.unwrap_or_default(),
             share: 1.0,
         },
         join: or("join", search::JOIN),
