@@ -20,6 +20,7 @@ mod filter;
 mod kept;
 mod limits;
 mod march;
+mod measured;
 mod rates;
 mod turning;
 mod work;
@@ -30,6 +31,7 @@ pub use cracks::Cracks;
 pub use kept::Kept;
 pub use limits::Limit;
 pub use march::Step;
+pub use measured::Held;
 pub use turning::{Plan, Turning};
 pub use worn_profile::WornProfile;
 

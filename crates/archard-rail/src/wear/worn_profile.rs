@@ -178,6 +178,11 @@ impl WornProfile {
         Profile { points: self.points.iter().map(|point| point.at).collect() }
     }
 
+    /// Each point of the unworn profile (m) with its normal and the length (m) that it stands for.
+    pub(super) fn stations(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2], f64)> {
+        self.points.iter().map(|point| (point.at, point.normal, point.length))
+    }
+
     /// Depth (m) along the normal at each point.
     pub fn depths(&self) -> Vec<f64> {
         let thickness = |(point, gone): (&Point, &f64)| point.thickness(*gone).unwrap_or(f64::NAN);
@@ -228,8 +233,13 @@ impl WornProfile {
 
     /// Area (m^2) of the cross-section that is gone.
     pub fn area(&self) -> f64 {
+        self.areas().into_iter().sum()
+    }
+
+    /// The same of each point.
+    pub fn areas(&self) -> Vec<f64> {
         let of = |(point, gone): (&Point, &f64)| gone / point.girth;
-        self.points.iter().zip(&self.gone).map(of).sum()
+        self.points.iter().zip(&self.gone).map(of).collect()
     }
 
     /// What strips of the present curve lose at each point: `strips` holds the ends of each (m along the curve), and what it loses.

@@ -18,6 +18,7 @@ use archard::body::Material;
 use archard::friction::Friction;
 use archard::parameters::{Invalid, Values};
 use archard::wear::{Input, WearLaw};
+use archard_rail::Part;
 use archard_rail::contact::{Bodies, ContactError, FlangeWear, Resolution};
 use archard_rail::curve::Curve;
 use archard_rail::flange::{self, Flange};
@@ -217,6 +218,14 @@ impl WheelRailCase {
         };
         self.hold(&prepared)?;
         Ok(prepared)
+    }
+
+    /// The curve (m) of a profile of the wheel that was measured after wear; unit and axes of columns are those of the new one.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub fn worn_wheel(&self, name: &str, bytes: &[u8]) -> Result<Curve, Invalid> {
+        shape::other(&self.wheel.profile.values, Part::Wheel, (name, bytes))
     }
 
     /// How wheel and rail crack.

@@ -10,7 +10,7 @@ use archard_rail::flange;
 use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
 use archard_rail::wear::{
-    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Turning, Worn, error_of,
+    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Travelled, Turning, Worn, error_of,
 };
 use rayon::prelude::*;
 
@@ -77,11 +77,8 @@ impl Prepared {
         kept: Kept,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
-        if let Some(within) = self.running.within {
-            let (route, history) = self.gathered(within)?;
-            let running = Running { route, within: None, ..self.running.clone() };
-            let results = Self { running, ..self.clone() }.go_on(kept, watch)?;
-            return Ok(RailResults { history: Some(history), ..results });
+        if let Some((route, history)) = self.on_a_route()? {
+            return Ok(RailResults { history: Some(history), ..route.go_on(kept, watch)? });
         }
         if self.wears() == [false; 2] {
             return Ok(self.results(self.all(None)?, None));
@@ -125,6 +122,28 @@ impl Prepared {
         RailResults { contacts, flank, hardness, wear, history: None }
     }
 
+    /// The same over the route that stands for the steps of its history, and what that loses; `None` without a history.
+    ///
+    /// # Errors
+    /// If a contact cannot be found.
+    pub fn on_a_route(&self) -> Result<Option<(Self, RailHistory)>, RailError> {
+        let Some(within) = self.running.within else { return Ok(None) };
+        let (route, history) = self.gathered(within)?;
+        let running = Running { route, within: None, ..self.running.clone() };
+        Ok(Some((Self { running, ..self.clone() }, history)))
+    }
+
+    /// The wear over the route alone; `watch` is shown each step and may stop it.
+    ///
+    /// # Errors
+    /// If nothing wears, or the route cannot be gone through.
+    pub fn travel(
+        &self,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Travelled, RailError> {
+        Ok(self.journey()?.travel(watch)?)
+    }
+
     /// The route that stands for the steps of a history, and what it loses.
     fn gathered(&self, within: f64) -> Result<(Columns, RailHistory), RailError> {
         let journey = self.journey()?;
@@ -154,7 +173,28 @@ impl Prepared {
         }
         let names = route.iter().map(|(name, _)| title(name));
         let rows = names.zip(route.iter().map(|(_, values)| values.clone())).collect();
-        Ok((route, RailHistory { steps: steps.len(), loss, rows }))
+        let climb = self.climb()?;
+        Ok((route, RailHistory { steps: steps.len(), loss, climb, rows }))
+    }
+
+    /// The largest lateral over vertical force of a wheel at a step of a history, relative to Nadal's limit there; `None` where the history
+    /// has no lateral forces.
+    fn climb(&self) -> Result<Option<f64>, Invalid> {
+        let Some(flank) = self.flank() else { return Ok(None) };
+        let mut most = None;
+        for state in self.running.states()? {
+            let point = state.point(self.setup.wheelset(), &self.bodies.friction)?;
+            let bodies = point.between(&self.bodies);
+            let pressure = bodies.shear_yield;
+            let friction = bodies.friction_at(flank.y).limit(pressure) / pressure;
+            for (lateral, sign) in state.lateral_forces.into_iter().zip([1.0, -1.0]) {
+                let vertical = point.load + sign * point.transfer;
+                let over = lateral.zip(flank.nadal(friction));
+                let over = over.map(|(lateral, limit)| lateral / vertical / limit);
+                most = over.into_iter().chain(most).reduce(f64::max);
+            }
+        }
+        Ok(most)
     }
 
     /// The steepest place of the flange, between its tip and the tread.
@@ -232,7 +272,8 @@ impl Prepared {
             let nadal = flank.zip(peak).and_then(|(flank, peak)| {
                 flank.nadal(bodies.friction_at(flank.y).limit(peak) / peak)
             });
-            Ok(RailContact { at, side: *side, load: own.load, nadal, patches })
+            let told = state.lateral_forces[usize::from(*side == Side::Left)];
+            Ok(RailContact { at, side: *side, load: own.load, nadal, told, patches })
         };
         self.running.sides.iter().zip(setups).map(solve).collect()
     }

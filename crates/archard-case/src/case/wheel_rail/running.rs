@@ -64,6 +64,9 @@ pub struct State {
     pub centre_height: f64,
     /// Creepage, lateral creepage and spin (1/m) of the right and of the left wheel where they are prescribed, as their sides see them.
     pub creepages: [[Option<f64>; 3]; 2],
+    /// Lateral force (N) of the right and of the left wheel on its rail, positive to the field side, where another program has found it:
+    /// what is computed is held against it.
+    pub lateral_forces: [Option<f64>; 2],
     /// Shift and yaw, and the roll where it is given.
     pub attitude: Attitude,
     /// Whether the roll is given.
@@ -111,7 +114,11 @@ pub(super) const COLUMNS: &[(&str, Quantity)] = &[
     ("creepage_left", Quantity::Number),
     ("lateral_creepage_left", Quantity::Number),
     ("spin_left", Quantity::Curvature),
+    (LATERAL_FORCES[0], Quantity::Force),
+    (LATERAL_FORCES[1], Quantity::Force),
 ];
+/// The columns of lateral forces of the right and of the left wheel, as another program has found them.
+pub(super) const LATERAL_FORCES: [&str; 2] = ["lateral_force_right", "lateral_force_left"];
 /// The title of a column of a route, with its SI unit.
 pub(super) fn title(name: &str) -> String {
     let known = COLUMNS.iter().find(|(known, _)| *known == name);
@@ -171,6 +178,10 @@ impl State {
             _ => {
                 if let Some([side, at]) = creepage(name) {
                     self.creepages[side][at] = Some(value);
+                    return Ok(());
+                }
+                if let Some(side) = LATERAL_FORCES.iter().position(|own| *own == name) {
+                    self.lateral_forces[side] = Some(value);
                     return Ok(());
                 }
                 let known = COLUMNS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
@@ -356,6 +367,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             superelevation: or("superelevation", 0.0),
             centre_height: or("centre_height", 0.0),
             creepages: [[None; 3]; 2],
+            lateral_forces: [None; 2],
             attitude: attitude.checked()?,
             rolls: values.number("roll").is_some(),
             velocity,

@@ -1,0 +1,468 @@
+//! The wear coefficients of a railway wheel, of its tread and of its flange, from profiles measured after it ran.
+//!
+//! A run of the route says how deep each zone wears; the measured profile says how many times as much it did. As the contacts move
+//! while profiles wear, both zones depend on both coefficients a little: by how much follows from runs with each of them
+//! changed. Rounds of runs end where the coefficients stay. What tests scatter is the business of [`joint`](super::joint).
+
+mod laid;
+mod runs;
+
+use std::collections::HashMap;
+
+use archard::units::Measure;
+use archard_case::files::{self, Contents};
+use archard_case::measured::Table;
+use archard_case::{CaseFile, Task, WheelRailCase};
+use archard_rail::curve::Curve;
+
+use super::joint::matrix::{Matrix, power, times, zeros};
+use super::joint::{Joint, NotTold, Tangent, Tests};
+use super::search::TRIED;
+use super::{Coefficient, Common, Error, Fit, Reading, Request, Test};
+use laid::{Laid, Zones};
+use runs::{Run, Runs};
+
+/// Rounds of runs.
+const ROUNDS: usize = 10;
+/// Largest change of the logarithms of coefficients from one round to the next.
+const FARTHEST: f64 = 2.0;
+/// Change of the logarithms at which they have settled: in standard uncertainties, to which a tenth adds half a per cent.
+const SETTLED: f64 = 0.1;
+
+/// A profile that was measured.
+struct Measured {
+    line: u64,
+    test: String,
+    file: String,
+    distance: f64,
+    side: usize,
+    curve: Curve,
+}
+
+/// A coefficient that is sought: its key, its value in the case.
+struct Target {
+    key: String,
+    value: f64,
+}
+
+/// What all profiles say at coefficients: each laid on its run.
+struct Round {
+    laid: Vec<Laid>,
+    /// Computed areas (m^2) of the zones.
+    areas: Vec<Vec<f64>>,
+    /// Errors of the logarithms of the areas by elements and steps.
+    errors: Vec<Vec<f64>>,
+}
+
+/// The coefficients of a wheel by a table with the columns `test`, `distance`, `file` of the worn profile, and `side` where both sides are
+/// computed.
+///
+/// # Errors
+/// If case and table do not go together, a profile cannot be used, a run fails, or the profiles do not tell a coefficient.
+pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
+    let case = wheel_of(file)?;
+    if !request.parameters.is_empty() || !request.uncertain.is_empty() {
+        return Err(Error::Mismatch(
+            "of a wheel on its rail the coefficients of the tread and of the flange are fitted, without further uncertainties: leave \
+             --parameter and --uncertain out"
+                .to_owned(),
+        ));
+    }
+    let targets = targets(&case)?;
+    rail_is_told(&case, request.assumed)?;
+    let measured = measured(&case, table, &request)?;
+    let mut runs = Runs::of(file, &case, &mut *request.following)?;
+    let zones = Zones(if targets.len() > 1 { runs.flange_from() } else { None });
+    let mut logs: Vec<f64> = targets.iter().map(|own| own.value.ln()).collect();
+    let mut slopes: Option<Vec<Matrix>> = None;
+    for round in 0..ROUNDS {
+        let at = at(&mut runs, (&targets, &logs), (&measured, zones), table)?;
+        // At first each zone goes by its own coefficient.
+        if round == 1 {
+            slopes = Some(sensitivities(
+                &mut runs,
+                (&targets, &logs),
+                (&measured, zones),
+                (table, &at),
+            )?);
+        }
+        let unit: Vec<Matrix> = measured.iter().map(|_| identity(targets.len())).collect();
+        let whitened = Whitened::of((&measured, &at), slopes.as_ref().unwrap_or(&unit), &logs)?;
+        let joint = whitened.joint(&targets)?;
+        let change: Vec<f64> = joint.logs.iter().zip(&logs).map(|(new, old)| new - old).collect();
+        let estimates = joint.estimates(&whitened.tests, &[]);
+        let small = |(change, estimate): (&f64, &super::Estimate)| {
+            let deviation = estimate.budget.iter().map(|(_, own)| own * own).sum::<f64>().sqrt();
+            change.abs() <= SETTLED * deviation
+        };
+        if slopes.is_some() && change.iter().zip(&estimates).all(small) {
+            return Ok(conclude((targets, measured, zones), &at, (&joint, &whitened), &runs));
+        }
+        for (log, change) in logs.iter_mut().zip(change) {
+            *log += change.clamp(-FARTHEST, FARTHEST);
+        }
+    }
+    Err(Error::Mismatch(
+        "the coefficients did not settle: begin from others, nearer to what the profiles tell"
+            .to_owned(),
+    ))
+}
+
+/// The case of a file.
+fn wheel_of(file: &CaseFile) -> Result<WheelRailCase, Error> {
+    match file.task() {
+        Ok(Task::WheelRail(resolved)) => Ok(resolved.case),
+        Ok(_) => Err(Error::Mismatch("the case is none of a wheel on its rail".to_owned())),
+        Err(problems) => {
+            let why: Vec<String> = problems.iter().map(|one| file.describe(one)).collect();
+            Err(Error::Mismatch(why.join("\n")))
+        }
+    }
+}
+
+/// The coefficients of the wheel.
+fn targets(case: &WheelRailCase) -> Result<Vec<Target>, Error> {
+    let wheel = &case.wheel;
+    let laws = [("wear", &wheel.wear), ("flange_wear", &wheel.flange_wear)];
+    let laws = laws.into_iter().filter_map(|(table, law)| Some((table, law.as_ref()?)));
+    let target = |(table, law): (&str, &archard_case::Chosen<_>)| {
+        let law: &archard_case::Chosen<Box<dyn archard::wear::WearLaw>> = law;
+        let table = format!("body.{}.{table}.{}", wheel.name, law.choice.name);
+        let value = law.values.number("coefficient").filter(|value| *value > 0.0);
+        let value = value.ok_or_else(|| {
+            Error::Mismatch(format!(
+                "`{table}` has no single coefficient that a worn profile could tell: fit a law with a `coefficient`, as `archard`"
+            ))
+        })?;
+        Ok(Target { key: format!("{table}.coefficient"), value })
+    };
+    let found: Vec<Target> = laws.map(target).collect::<Result<_, Error>>()?;
+    if found.is_empty() {
+        return Err(Error::Mismatch(format!(
+            "`{}` has no wear law: nothing is fitted",
+            wheel.name
+        )));
+    }
+    Ok(found)
+}
+
+/// Refuses a rail that wears by a law which nobody has told: contacts go by it.
+fn rail_is_told(case: &WheelRailCase, assumed: &[String]) -> Result<(), Error> {
+    let key = format!("body.{}.wear", case.rail.name);
+    if case.rail.wear.is_none() || assumed.iter().any(|own| own.starts_with(&key)) {
+        return Ok(());
+    }
+    Err(Error::Mismatch(format!(
+        "the rail wears by `{key}`, which no profile of a wheel tells, and contacts go by it: add --assume {key} to take it from the \
+         case, or leave it out"
+    )))
+}
+
+/// The profiles of a table.
+fn measured(
+    case: &WheelRailCase,
+    table: &Table,
+    request: &Request<'_>,
+) -> Result<Vec<Measured>, Error> {
+    let texts = |name: &str| table.texts(name);
+    let missing = |name: &str, what: &str| {
+        let message = format!(
+            "{}: has no column `{name}`, {what}; there are {}",
+            table.source(),
+            table.titles()
+        );
+        Error::Mismatch(message)
+    };
+    let tests = texts("test").ok_or_else(|| missing("test", "the name of each wheel"))?;
+    let named = texts("file").ok_or_else(|| missing("file", "of profiles after wear"))?;
+    let distances = table.all_numbers("distance", &Measure::LENGTH)?;
+    let sides = runs::sides(case);
+    let of_rows = texts("side");
+    let mut all = vec![];
+    for (row, line) in table.lines().into_iter().enumerate() {
+        let (file, distance) = (named[row], distances[row]);
+        let refuse = |why: String| Error::Reading { table: table.source().to_owned(), line, why };
+        if distance <= 0.0 {
+            return Err(refuse(
+                "`distance` has to be greater than zero: nothing has worn before".to_owned(),
+            ));
+        }
+        let side = match (&of_rows, sides.len()) {
+            (None, 1) => 0,
+            (None, _) => {
+                return Err(missing("side", "`left` or `right`, as the case computes both"));
+            }
+            (Some(own), _) => {
+                let at = sides.iter().position(|side| side.name() == own[row]);
+                at.ok_or_else(|| {
+                    let known: Vec<&str> = sides.iter().map(|side| side.name()).collect();
+                    refuse(format!(
+                        "`side` = `{}`: the case computes {}",
+                        own[row],
+                        known.join(" and ")
+                    ))
+                })?
+            }
+        };
+        let bytes = files::read(&request.files.folder.join(file), Contents::Text);
+        let bytes = bytes.map_err(|error| refuse(format!("cannot read `{file}`: {error}")))?;
+        let curve = case.worn_wheel(file, &bytes);
+        let curve = curve.map_err(|error| refuse(format!("`{file}`: {}", error.message)))?;
+        let (test, file) = (tests[row].to_owned(), file.to_owned());
+        all.push(Measured { line, test, file, distance, side, curve });
+    }
+    Ok(all)
+}
+
+/// What the profiles say at logarithms of the coefficients.
+fn at(
+    runs: &mut Runs<'_>,
+    (targets, logs): (&[Target], &[f64]),
+    (measured, zones): (&[Measured], Zones),
+    table: &Table,
+) -> Result<Round, Error> {
+    let settings: Vec<(&str, f64)> =
+        targets.iter().zip(logs).map(|(target, log)| (&*target.key, log.exp())).collect();
+    let mut known: HashMap<u64, Run> = HashMap::new();
+    let mut round = Round { laid: vec![], areas: vec![], errors: vec![] };
+    for own in measured {
+        let key = own.distance.to_bits();
+        if !known.contains_key(&key) {
+            known.insert(key, runs.run(&settings, own.distance)?);
+        }
+        let lay = |worn: &archard_rail::wear::Worn| {
+            Laid::of(&worn.wheel, &own.curve, zones).map_err(|why| Error::Reading {
+                table: table.source().to_owned(),
+                line: own.line,
+                why: format!("`{}`: {why}", own.file),
+            })
+        };
+        let of_run = &known[&key];
+        let [fine, coarse, hasty] = [0, 1, 2].map(|pass| lay(&of_run[pass][own.side]));
+        let [fine, coarse, hasty] = [fine?, coarse?, hasty?];
+        let error = |zone: usize| {
+            let [fine, coarse, hasty] = [&fine, &coarse, &hasty].map(|own| own.shares[zone].ln());
+            archard_rail::wear::error_of([fine, coarse, hasty])
+        };
+        round.errors.push((0..fine.shares.len()).map(error).collect());
+        round.areas.push(zones.areas(&of_run[0][own.side].wheel));
+        round.laid.push(fine);
+    }
+    Ok(round)
+}
+
+/// By how much the logarithms of what zones wear grow with those of the coefficients, for each profile: zones in rows.
+fn sensitivities(
+    runs: &mut Runs<'_>,
+    (targets, logs): (&[Target], &[f64]),
+    profiles: (&[Measured], Zones),
+    (table, plain): (&Table, &Round),
+) -> Result<Vec<Matrix>, Error> {
+    let mut all: Vec<Matrix> = plain.laid.iter().map(|_| zeros(targets.len())).collect();
+    for place in 0..targets.len() {
+        let mut tried = logs.to_vec();
+        tried[place] += TRIED.ln();
+        let other = at(runs, (targets, &tried), profiles, table)?;
+        for ((slopes, plain), other) in all.iter_mut().zip(&plain.laid).zip(&other.laid) {
+            for (zone, row) in slopes.iter_mut().enumerate() {
+                // What a run wears more leaves a smaller share of it.
+                row[place] = (plain.shares[zone] / other.shares[zone]).ln() / TRIED.ln();
+            }
+        }
+    }
+    Ok(all)
+}
+
+fn identity(size: usize) -> Matrix {
+    (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect()
+}
+
+/// Profiles as readings whose errors do not go together: those of the zones of a profile are turned, as it is laid as a whole.
+struct Whitened {
+    tests: Vec<Test>,
+    /// For each test, the tangents of its readings at the logarithms of the run.
+    tangents: Vec<Vec<Tangent>>,
+    at: Vec<f64>,
+    /// For each profile what turns it.
+    turns: Vec<Matrix>,
+    /// The test of each profile.
+    of_test: Vec<usize>,
+}
+
+impl Whitened {
+    fn of(
+        (measured, round): (&[Measured], &Round),
+        slopes: &[Matrix],
+        at: &[f64],
+    ) -> Result<Self, Error> {
+        let none = Self {
+            tests: vec![],
+            tangents: vec![],
+            at: at.to_vec(),
+            turns: vec![],
+            of_test: vec![],
+        };
+        let mut whitened = none;
+        for ((own, laid), slopes) in measured.iter().zip(&round.laid).zip(slopes) {
+            let size = laid.shares.len();
+            let mut of_logs = laid.covariance.clone();
+            for (i, row) in of_logs.iter_mut().enumerate() {
+                row.iter_mut()
+                    .enumerate()
+                    .for_each(|(j, cell)| *cell /= laid.shares[i] * laid.shares[j]);
+            }
+            let turn = power(&of_logs, -0.5, 0.0);
+            let logs: Vec<f64> = laid.shares.iter().map(|share| share.ln()).collect();
+            let values = times(&turn, &logs);
+            let known = whitened.tests.iter().position(|test| test.name == own.test);
+            let test = known.unwrap_or_else(|| {
+                whitened.tests.push(Test { name: own.test.clone(), load: None, readings: vec![] });
+                whitened.tangents.push(vec![]);
+                whitened.tests.len() - 1
+            });
+            for zone in 0..size {
+                whitened.tests[test].readings.push(Reading {
+                    line: own.line,
+                    quantity: zone,
+                    progress: own.distance,
+                    // Only its logarithm counts.
+                    value: values[zone].clamp(-600.0, 600.0).exp(),
+                    uncertainty: Some(1.0),
+                });
+                let along =
+                    |place: usize| (0..size).map(|j| turn[zone][j] * slopes[j][place]).sum();
+                whitened.tangents[test]
+                    .push(Tangent { log: 0.0, slopes: (0..at.len()).map(along).collect() });
+            }
+            whitened.turns.push(turn);
+            whitened.of_test.push(test);
+        }
+        Ok(whitened)
+    }
+
+    /// The coefficients that fit all of them.
+    fn joint(&self, targets: &[Target]) -> Result<Joint, Error> {
+        let all = Tests { tests: &self.tests, quantities: self.at.len() };
+        let mut model = |test: usize, logs: &[f64]| {
+            let off: Vec<f64> = logs.iter().zip(&self.at).map(|(log, at)| log - at).collect();
+            let of = |own: &Tangent| Tangent {
+                log: super::joint::matrix::dot(&own.slopes, &off),
+                slopes: own.slopes.clone(),
+            };
+            Ok::<_, Error>(self.tangents[test].iter().map(of).collect())
+        };
+        all.joint(&self.at, 1e-6, &mut model).map_err(|why| match why {
+            NotTold::Model(error) => error,
+            NotTold::Flat(places) => Error::Mismatch(format!(
+                "the profiles do not determine {}: they are nearly the same whatever it is",
+                places.iter().map(|place| format!("`{}`", targets[*place].key)).collect::<Vec<_>>().join(" and ")
+            )),
+            NotTold::Alone { test, coefficient } => Error::Mismatch(format!(
+                "test `{}` alone determines `{}`, so that nothing says how it scatters between wheels: fit that wheel alone",
+                self.tests[test].name, targets[coefficient].key
+            )),
+            NotTold::Unsettled => Error::Mismatch("no coefficients fit the profiles best".to_owned()),
+        })
+    }
+
+    /// What is uncertain in each coefficient by errors of the logarithms of the zones of each profile.
+    fn response(&self, joint: &Joint, errors: &[Vec<f64>]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.at.len()];
+        for zone in 0..self.turns.first().map_or(0, Vec::len) {
+            let mut more: Vec<Vec<f64>> = vec![vec![]; self.tests.len()];
+            for ((turn, test), errors) in self.turns.iter().zip(&self.of_test).zip(errors) {
+                more[*test].extend(turn.iter().map(|row| row[zone] * errors[zone]));
+            }
+            for (sum, change) in sums.iter_mut().zip(joint.response(&more)) {
+                *sum += change.abs();
+            }
+        }
+        sums
+    }
+}
+
+/// What was found.
+fn conclude(
+    (targets, measured, zones): (Vec<Target>, Vec<Measured>, Zones),
+    round: &Round,
+    (joint, whitened): (&Joint, &Whitened),
+    runs: &Runs<'_>,
+) -> Fit {
+    let by_runs = whitened.response(joint, &round.errors);
+    let lost: Vec<Vec<f64>> =
+        measured.iter().map(|_| vec![runs.lost; zones.names().len()]).collect();
+    let by_history = whitened.response(joint, &lost);
+    let commons: Vec<Vec<Common>> = (0..targets.len())
+        .map(|place| {
+            let history = ("steps of the history".to_owned(), by_history[place]);
+            let elements = ("elements and steps of the runs".to_owned(), by_runs[place]);
+            [elements].into_iter().chain((runs.lost > 0.0).then_some(history)).collect()
+        })
+        .collect();
+    let mut tests = whitened.tests.clone();
+    let mut residuals: Vec<Vec<f64>> = vec![vec![]; tests.len()];
+    let mut places = vec![0; tests.len()];
+    for ((laid, areas), &test) in round.laid.iter().zip(&round.areas).zip(&whitened.of_test) {
+        for (zone, share) in laid.shares.iter().enumerate() {
+            let reading = &mut tests[test].readings[places[test]];
+            reading.value = share * areas[zone];
+            reading.uncertainty = Some(laid.covariance[zone][zone].sqrt() / share);
+            residuals[test].push(share.ln());
+            places[test] += 1;
+        }
+    }
+    let estimates = joint.estimates(&whitened.tests, &commons);
+    let coefficients = targets.iter().zip(estimates).map(|(target, mut estimate)| {
+        for (fitted, residuals) in estimate.fitted.iter_mut().zip(&residuals) {
+            fitted.residuals.clone_from(residuals);
+        }
+        Coefficient {
+            key: target.key.clone(),
+            unit: "1/Pa".to_owned(),
+            before: target.value,
+            tests: tests.clone(),
+            estimate,
+            assumed: false,
+            curves: vec![],
+        }
+    });
+    let coefficients = coefficients.collect();
+    let remark = |(own, laid): (&Measured, &Laid)| {
+        let [turn, y, z] = laid.pose;
+        format!(
+            "line {}, `{}`: laid on the new profile by {:.2} mrad, {:.3} mm along y, {:.3} mm along z; {:.1} um are left of its points",
+            own.line,
+            own.file,
+            1e3 * turn,
+            1e3 * y,
+            1e3 * z,
+            1e6 * laid.left[0]
+        )
+    };
+    let doubt = |(own, laid): (&Measured, &Laid)| {
+        laid.differs.then(|| {
+            format!(
+                "line {}, `{}`: the wheel is worn in another shape than the route wears it: {:.1} um are left where it wears, by more than \
+                 chance; look at the route, and at `flange_from`",
+                own.line, own.file, 1e6 * laid.left[1]
+            )
+        })
+    };
+    let pairs = || measured.iter().zip(&round.laid);
+    Fit {
+        progress: "distance",
+        quantities: zones
+            .names()
+            .iter()
+            .map(|name| (format!("area of the {name}"), 1e6, "mm2"))
+            .collect(),
+        coefficients,
+        together: if targets.len() > 1 { joint.correlation.clone() } else { vec![] },
+        surfaces: vec![],
+        remarks: pairs().map(remark).collect(),
+        doubts: pairs().filter_map(doubt).collect(),
+        runs: runs.count,
+        by_k_s: false,
+        unsettled: None,
+    }
+}
