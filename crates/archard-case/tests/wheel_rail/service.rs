@@ -189,3 +189,39 @@ fn wrong_cracks_and_turnings_are_refused_in_words() {
         assert!(expected.iter().all(|one| said.contains(one)), "{options:?}: {said}");
     }
 }
+
+/// A flange has a wear law of its own where it is said where it begins; laws that ask for temperature have none on rails.
+#[test]
+fn a_flange_may_wear_by_its_own_law() {
+    let far = "motion.wheel_rail.distance=10 m";
+    let own = "body.wheel.flange_wear.archard.coefficient=2e-13 1/Pa";
+    let from = "motion.wheel_rail.flange_from=-26 mm";
+    let case = resolve(MANCHESTER, &[WEARS, far, own, from]).expect("a case").case;
+    let again = resolve(&case.to_string(), &[]).expect("what was printed").case;
+    assert_eq!(again, case);
+    let remembers = [
+        "body.wheel.wear.running_in.initial_coefficient=1e-13 1/Pa",
+        "body.wheel.wear.running_in.final_coefficient=1e-14 1/Pa",
+        "body.wheel.wear.running_in.running_in_distance=1 m",
+        far,
+    ];
+    resolve(MANCHESTER, &remembers).expect("a law of the distance slid");
+    let warm = [
+        "body.wheel.wear.expression.depth=k * p * s * temperature / t",
+        "body.wheel.wear.expression.k=1e-13 1/Pa",
+        "body.wheel.wear.expression.t=300 K",
+        far,
+    ];
+    let rail = "body.rail.flange_wear.archard.coefficient=2e-13 1/Pa";
+    for (options, expected) in [
+        (vec![WEARS, far, own], ["motion.wheel_rail.flange_from", "where the flange begins"]),
+        (vec![WEARS, far, from], ["motion.wheel_rail.flange_from", "counts for nothing"]),
+        (vec![own, from], ["body.wheel.flange_wear", "has no `wear`"]),
+        (vec![WEARS, far, rail, from], ["body.rail.flange_wear", "has no `wear`"]),
+        (warm.to_vec(), ["body.wheel.wear", "not computed of wheels on rails"]),
+    ] {
+        let said = resolve(MANCHESTER, &options).err();
+        let said = said.unwrap_or_else(|| panic!("{options:?} passes"));
+        assert!(expected.iter().all(|one| said.contains(one)), "{options:?}: {said}");
+    }
+}
