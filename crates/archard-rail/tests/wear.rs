@@ -90,6 +90,7 @@ fn journey(setup: Setup, wears: [bool; 2], points: Vec<OperatingPoint>, distance
         resolution: Resolution { elements: 16, curved: false, ..Resolution::default() },
         tolerance: 0.02,
         smoothing: 2e-3,
+        thinnings: vec![],
         amplitude: None,
     }
 }

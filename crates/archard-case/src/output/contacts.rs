@@ -225,7 +225,13 @@ fn image(patch: &Patch) -> Image {
     Image { origin, spacing, elements, fields }
 }
 
-/// What can be believed of the contacts, whatever the user was warned of before.
+impl RailResults {
+    /// What can be believed of the contacts, whatever the user was warned of before.
+    pub fn verdict(&self) -> Verdict {
+        rail_verdict(self)
+    }
+}
+
 fn rail_verdict(results: &RailResults) -> Verdict {
     let RailResults { contacts, flank, hardness, wear, history } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);

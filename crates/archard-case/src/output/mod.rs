@@ -96,7 +96,7 @@ pub use lines::Rows;
 pub use manifest::Manifest;
 pub use place::Place;
 pub use planes::Planes;
-pub use rail_wear::{ProfileWear, RailLife, RailPlan, RailWear};
+pub use rail_wear::{ProfileWear, RailEconomy, RailLife, RailPlan, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;

@@ -3,7 +3,8 @@
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
 use archard_rail::wear::{
-    ASKED, COLUMNS, CONICITY, Limit, Plan, Told, Travelled, Turning, Worn, WornProfile, error_of,
+    ASKED, COLUMNS, CONICITY, Economy, Limit, Plan, Thicknesses, Told, Travelled, Turned, Turning,
+    Worn, WornProfile, error_of,
 };
 use serde_json::{Value, json};
 
@@ -35,6 +36,8 @@ pub struct RailWear {
     pub cracks: [bool; 2],
     /// When the wheels are turned again; none where nobody asks for it.
     pub plans: Vec<RailPlan>,
+    /// How wheels run farthest that are turned to thinner flanges; none where nobody asks for it.
+    pub economies: Vec<RailEconomy>,
     /// When the wheels reach their limits, those first that are reached first; none without limits.
     pub lives: Vec<RailLife>,
     /// The formats in which the profiles of the wheel and of the rail were read.
@@ -98,6 +101,36 @@ impl RailPlan {
             [(when, plan), ("cheapest", cheapest)].map(|(when, plan)| Self { side, when, plan })
         };
         sides.iter().flat_map(of_side).collect()
+    }
+}
+
+/// How a wheel runs farthest that may be turned to thinner flanges.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailEconomy {
+    /// The side.
+    pub side: Side,
+    /// Its turnings, and how far it runs; `None` where it cannot run.
+    pub economy: Option<Economy>,
+}
+
+impl RailEconomy {
+    /// Of wheels of these sides.
+    pub fn of(
+        (turning, thicknesses): (&Turning, &Thicknesses),
+        limits: &[Limit],
+        sides: &[Side],
+        travelled: &Travelled,
+    ) -> Vec<Self> {
+        let of_side = |&side: &Side| {
+            // The thickness is one of its own.
+            let others = limits.iter().filter(|limit| limit.column != "flange_thickness_m");
+            let reached = others.map(|limit| travelled.reached(limit, side));
+            let until = reached.fold([f64::INFINITY; 3], |least, own| {
+                [0, 1, 2].map(|run| least[run].min(own[run]))
+            });
+            Self { side, economy: travelled.economy(turning, thicknesses, side, until) }
+        };
+        sides.iter().map(of_side).collect()
     }
 }
 
@@ -346,7 +379,29 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             "error_of_distance_m": distance(|plan| plan.life[1]),
         })
     };
+    let economy = |RailEconomy { side, economy }: &RailEconomy| {
+        let distance = |share: f64| share * wear.extent[0];
+        let of = |economy: &Economy| {
+            let turned = |own: &Turned| {
+                json!({
+                    "interval_m": distance(own.interval),
+                    "depth_m": own.depth,
+                    "flange_thickness_m": own.thickness,
+                })
+            };
+            json!({
+                "side": side.name(),
+                "distance_m": distance(economy.life[0]),
+                "error_of_distance_m": distance(economy.life[1]),
+                "full_flange_distance_m": distance(economy.full[0]),
+                "error_of_full_flange_distance_m": distance(economy.full[1]),
+                "turnings": economy.turnings.iter().map(turned).collect::<Vec<_>>(),
+            })
+        };
+        economy.as_ref().map(of)
+    };
     json!({
+        "thinner_flanges": wear.economies.iter().map(economy).collect::<Vec<_>>(),
         "reprofiling": wear.plans.iter().map(plan).collect::<Vec<_>>(),
         "life": wear.lives.iter().map(life).collect::<Vec<_>>(),
         "distance_m": wear.extent[0],

@@ -264,6 +264,7 @@ mod tests {
             resolution: Resolution { elements: 16, ..Resolution::default() },
             tolerance: 0.2,
             smoothing: 4e-3,
+            thinnings: vec![],
             amplitude: None,
         };
         let done = journey.travel(|_, _| ControlFlow::Continue(())).unwrap();

@@ -15,19 +15,25 @@ use archard_case::measured::Table;
 use archard_case::{CaseFile, Task, WheelRailCase};
 use archard_rail::curve::Curve;
 
+use super::estimate::UNTOLD;
 use super::joint::matrix::{Matrix, power, times, zeros};
 use super::joint::{Joint, NotTold, Tangent, Tests};
-use super::search::TRIED;
 use super::{Coefficient, Common, Error, Fit, Reading, Request, Test};
 use laid::{Laid, Zones};
 use runs::{Run, Runs};
 
+/// The factor by which a coefficient is changed to see what it does: runs jump by some per cent with it, as their contacts do, and
+/// are a tenth of what they change then.
+const TRIED: f64 = 1.5;
 /// Rounds of runs.
 const ROUNDS: usize = 10;
 /// Largest change of the logarithms of coefficients from one round to the next.
 const FARTHEST: f64 = 2.0;
-/// Change of the logarithms at which they have settled: in standard uncertainties, to which a tenth adds half a per cent.
-const SETTLED: f64 = 0.1;
+/// Rounds that change the coefficients freely.
+const FREE: f64 = 3.0;
+/// Change of the logarithms at which they have settled: in standard uncertainties, those of the runs included, to which a quarter
+/// adds 3 %.
+const SETTLED: f64 = 0.25;
 
 /// A profile that was measured.
 struct Measured {
@@ -90,20 +96,28 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         let whitened = Whitened::of((&measured, &at), slopes.as_ref().unwrap_or(&unit), &logs)?;
         let joint = whitened.joint(&targets)?;
         let change: Vec<f64> = joint.logs.iter().zip(&logs).map(|(new, old)| new - old).collect();
+        let by_runs = whitened.response(&joint, &at.errors);
         let estimates = joint.estimates(&whitened.tests, &[]);
-        let small = |(change, estimate): (&f64, &super::Estimate)| {
-            let deviation = estimate.budget.iter().map(|(_, own)| own * own).sum::<f64>().sqrt();
-            change.abs() <= SETTLED * deviation
+        let small = |((change, estimate), by_runs): ((&f64, &super::Estimate), &f64)| {
+            let readings = estimate.budget.iter().map(|(_, own)| own * own).sum::<f64>();
+            *by_runs <= UNTOLD && change.abs() <= SETTLED * (readings + by_runs * by_runs).sqrt()
         };
-        if slopes.is_some() && change.iter().zip(&estimates).all(small) {
-            return Ok(conclude((targets, measured, zones), &at, (&joint, &whitened), &runs));
+        let settled = change.iter().zip(&estimates).zip(&by_runs).all(small);
+        if slopes.is_some() && settled {
+            let doubts = runs.doubts(&settings(&targets, &logs))?;
+            let found = (&joint, &whitened);
+            return Ok(conclude((targets, measured, zones), &at, found, (&runs, doubts)));
         }
+        // Runs jump a little with the coefficients, as contacts do: by less and less (H. Robbins and S. Monro, Ann. Math. Stat.
+        // 22 (1951) 400).
+        let share = (FREE / (round as f64 + 1.0)).min(1.0);
         for (log, change) in logs.iter_mut().zip(change) {
-            *log += change.clamp(-FARTHEST, FARTHEST);
+            *log += share * change.clamp(-FARTHEST, FARTHEST);
         }
     }
     Err(Error::Mismatch(
-        "the coefficients did not settle: begin from others, nearer to what the profiles tell"
+        "the coefficients did not settle: runs jump with them by more than the profiles tell; more points of the route, more \
+         `frame.elements` or a longer `wear_smoothing` make them jump less"
             .to_owned(),
     ))
 }
@@ -214,6 +228,11 @@ fn measured(
     Ok(all)
 }
 
+/// Keys with the coefficients of those logarithms.
+fn settings<'t>(targets: &'t [Target], logs: &[f64]) -> Vec<(&'t str, f64)> {
+    targets.iter().zip(logs).map(|(target, log)| (&*target.key, log.exp())).collect()
+}
+
 /// What the profiles say at logarithms of the coefficients.
 fn at(
     runs: &mut Runs<'_>,
@@ -221,8 +240,7 @@ fn at(
     (measured, zones): (&[Measured], Zones),
     table: &Table,
 ) -> Result<Round, Error> {
-    let settings: Vec<(&str, f64)> =
-        targets.iter().zip(logs).map(|(target, log)| (&*target.key, log.exp())).collect();
+    let settings = settings(targets, logs);
     let mut known: HashMap<u64, Run> = HashMap::new();
     let mut round = Round { laid: vec![], areas: vec![], errors: vec![] };
     for own in measured {
@@ -386,7 +404,7 @@ fn conclude(
     (targets, measured, zones): (Vec<Target>, Vec<Measured>, Zones),
     round: &Round,
     (joint, whitened): (&Joint, &Whitened),
-    runs: &Runs<'_>,
+    (runs, doubts): (&Runs<'_>, Vec<String>),
 ) -> Fit {
     let by_runs = whitened.response(joint, &round.errors);
     let lost: Vec<Vec<f64>> =
@@ -460,7 +478,7 @@ fn conclude(
         together: if targets.len() > 1 { joint.correlation.clone() } else { vec![] },
         surfaces: vec![],
         remarks: pairs().map(remark).collect(),
-        doubts: pairs().filter_map(doubt).collect(),
+        doubts: pairs().filter_map(doubt).chain(doubts).collect(),
         runs: runs.count,
         by_k_s: false,
         unsettled: None,

@@ -14,6 +14,9 @@ use super::wheel_of;
 /// The sides of a route as they wore, by its three passes, the finest first.
 pub(super) type Run = [Vec<Worn>; 3];
 
+/// What is shown each step of a route.
+type Watch<'w> = &'w mut dyn FnMut(Pass, &Step<'_>) -> ControlFlow<()>;
+
 /// Runs a route.
 pub(super) struct Runs<'a> {
     file: &'a CaseFile,
@@ -53,21 +56,45 @@ impl<'a> Runs<'a> {
         self.running.flange_from
     }
 
+    /// What is doubtful about the route of the case with values (1/Pa) at keys, in words.
+    pub fn doubts(&mut self, settings: &[(&str, f64)]) -> Result<Vec<String>, Error> {
+        let (mut prepared, described) = self.prepared(settings)?;
+        prepared.running = Running { distance: prepared.running.distance, ..self.running.clone() };
+        let found = self.follow(described, |watch| prepared.solve(watch))?;
+        let verdict = found.verdict();
+        Ok(verdict.complaints().map(ToString::to_string).collect())
+    }
+
     /// The wheels after a distance (m) with values (1/Pa) at keys.
     pub fn run(&mut self, settings: &[(&str, f64)], distance: f64) -> Result<Run, Error> {
+        let (mut prepared, described) = self.prepared(settings)?;
+        prepared.running = Running { distance: Some(distance), ..self.running.clone() };
+        let described = format!("{described}, {distance:.4e} m");
+        let travelled = self.follow(described, |watch| prepared.travel(watch))?;
+        Ok([travelled.worn, travelled.coarse, travelled.hasty])
+    }
+
+    /// The case with values (1/Pa) at keys, and these in words.
+    fn prepared(&self, settings: &[(&str, f64)]) -> Result<(Prepared, String), Error> {
         let put = |(key, value): &(&str, f64)| format!("{key}={value:e} 1/Pa");
         let described = |(key, value): &(&str, f64)| format!("{key} = {value:.4e} 1/Pa");
         let described: Vec<String> = settings.iter().map(described).collect();
-        let described = format!("{}, {:.4e} m", described.join(", "), distance);
         let file = settings.iter().map(put).fold(self.file.clone(), CaseFile::set);
-        let mut prepared = prepared(&file, &wheel_of(&file)?)?;
-        prepared.running = Running { distance: Some(distance), ..self.running.clone() };
+        Ok((prepared(&file, &wheel_of(&file)?)?, described.join(", ")))
+    }
+
+    /// Runs a route, and shows it to who follows.
+    fn follow<T>(
+        &mut self,
+        described: String,
+        run: impl FnOnce(Watch<'_>) -> Result<T, RailError>,
+    ) -> Result<T, Error> {
         self.count += 1;
         self.following.begins(self.count, &described);
         let begun = Instant::now();
         let mut stopped = None;
         let following = &mut *self.following;
-        let found = prepared.travel(|_: Pass, _: &Step<'_>| {
+        let found = run(&mut |_, _| {
             stopped = following.stops();
             if stopped.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
@@ -75,16 +102,14 @@ impl<'a> Runs<'a> {
         if let Some(cause) = stopped {
             return Err(Error::Stopped { cause, runs: 0 });
         }
-        let travelled = found.map_err(|error| {
+        found.map_err(|error| {
             let deep = matches!(&error, RailError::Wear(cause) if matches!(**cause, WearError::Deep { .. }));
-            let why = if deep {
-                format!("{error}; begin from smaller coefficients")
-            } else {
-                error.to_string()
+            let why = match deep {
+                true => format!("{error}; begin from smaller coefficients"),
+                false => error.to_string(),
             };
             Error::Run { settings: described, why }
-        })?;
-        Ok([travelled.worn, travelled.coarse, travelled.hasty])
+        })
     }
 }
 

@@ -203,7 +203,16 @@ impl WheelRailCase {
             .map_err(at(Key::of(["reprofiling"])))?;
         let last = turning.map_or(wheel.radius, |turning| turning.last_radius);
         let planned = limits::limits(&self.until, last);
+        let flange = Flange::of(setup.wheel(), setup.wheelset().flange_back_position);
+        let least = planned.iter().find(|limit| limit.column == "flange_thickness_m");
+        let thicknesses = reprofiling::thicknesses(
+            &self.reprofiling,
+            flange.map(|flange| flange.thickness),
+            least.map(|limit| limit.value),
+        );
+        let thicknesses = thicknesses.map_err(at(Key::of(["reprofiling"])))?;
         let prepared = Prepared {
+            thicknesses,
             planned,
             setup,
             samples,

@@ -10,7 +10,8 @@ use archard_rail::flange;
 use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
 use archard_rail::wear::{
-    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Travelled, Turning, Worn, error_of,
+    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Thicknesses, Travelled, Turning,
+    Worn, error_of,
 };
 use rayon::prelude::*;
 
@@ -18,7 +19,8 @@ use super::RailError;
 use super::forecast::AMPLITUDE;
 use super::running::{Columns, Running, State, title};
 use crate::output::{
-    AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailPlan, RailResults, RailWear,
+    AtPoint, Flank, RailContact, RailEconomy, RailHistory, RailLife as Life, RailPlan, RailResults,
+    RailWear,
 };
 
 /// A wheel over its rail, ready to be pressed on in any state.
@@ -37,6 +39,8 @@ pub struct Prepared {
     pub(super) cracks: [Option<Cracks>; 2],
     /// Limits that a wheel has which is turned again: those of its last radius.
     pub(super) planned: Vec<Limit>,
+    /// Thicknesses of flanges that it is turned to; `None` where that is always the whole flange.
+    pub(super) thicknesses: Option<Thicknesses>,
     /// How the wheel is turned again.
     pub(super) turning: Option<Turning>,
     /// How the case has the wheelset stand and run.
@@ -104,7 +108,16 @@ impl Prepared {
         let plans = self.turning.iter().flat_map(|turning| {
             RailPlan::of(turning, &self.planned, &self.running.sides, &travelled)
         });
+        let economies = self.turning.zip(self.thicknesses).map(|(turning, thicknesses)| {
+            RailEconomy::of(
+                (&turning, &thicknesses),
+                &self.planned,
+                &self.running.sides,
+                &travelled,
+            )
+        });
         let wear = RailWear {
+            economies: economies.unwrap_or_default(),
             plans: plans.collect(),
             lives,
             extent: [journey.route.distance, journey.route.axles],
@@ -316,6 +329,7 @@ impl Prepared {
             resolution: self.resolution,
             tolerance: self.running.tolerance,
             smoothing: self.running.wear_smoothing,
+            thinnings: self.thicknesses.map(|own| own.changes()).unwrap_or_default(),
             amplitude: self.weaves().then_some(AMPLITUDE),
         }
         .checked()
