@@ -6,21 +6,22 @@
 
 mod laid;
 mod runs;
+mod table;
+mod whitened;
 
 use std::collections::HashMap;
 
-use archard::units::Measure;
-use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
 use archard_case::{CaseFile, Task, WheelRailCase};
-use archard_rail::curve::Curve;
 
 use super::estimate::UNTOLD;
-use super::joint::matrix::{Matrix, power, times, zeros};
-use super::joint::{Joint, NotTold, Tangent, Tests};
-use super::{Coefficient, Common, Error, Fit, Reading, Request, Test};
+use super::joint::Joint;
+use super::joint::matrix::{Matrix, zeros};
+use super::{Coefficient, Common, Error, Fit, Request};
 use laid::{Laid, Zones};
 use runs::{Run, Runs};
+use table::{Measured, measured};
+use whitened::Whitened;
 
 /// The factor by which a coefficient is changed to see what it does: runs jump by some per cent with it, as their contacts do, and
 /// are a tenth of what they change then.
@@ -34,16 +35,6 @@ const FREE: f64 = 3.0;
 /// Change of the logarithms at which they have settled: in standard uncertainties, those of the runs included, to which a quarter
 /// adds 3 %.
 const SETTLED: f64 = 0.25;
-
-/// A profile that was measured.
-struct Measured {
-    line: u64,
-    test: String,
-    file: String,
-    distance: f64,
-    side: usize,
-    curve: Curve,
-}
 
 /// A coefficient that is sought: its key, its value in the case.
 struct Target {
@@ -172,62 +163,6 @@ fn rail_is_told(case: &WheelRailCase, assumed: &[String]) -> Result<(), Error> {
     )))
 }
 
-/// The profiles of a table.
-fn measured(
-    case: &WheelRailCase,
-    table: &Table,
-    request: &Request<'_>,
-) -> Result<Vec<Measured>, Error> {
-    let texts = |name: &str| table.texts(name);
-    let missing = |name: &str, what: &str| {
-        let message = format!(
-            "{}: has no column `{name}`, {what}; there are {}",
-            table.source(),
-            table.titles()
-        );
-        Error::Mismatch(message)
-    };
-    let tests = texts("test").ok_or_else(|| missing("test", "the name of each wheel"))?;
-    let named = texts("file").ok_or_else(|| missing("file", "of profiles after wear"))?;
-    let distances = table.all_numbers("distance", &Measure::LENGTH)?;
-    let sides = runs::sides(case);
-    let of_rows = texts("side");
-    let mut all = vec![];
-    for (row, line) in table.lines().into_iter().enumerate() {
-        let (file, distance) = (named[row], distances[row]);
-        let refuse = |why: String| Error::Reading { table: table.source().to_owned(), line, why };
-        if distance <= 0.0 {
-            return Err(refuse(
-                "`distance` has to be greater than zero: nothing has worn before".to_owned(),
-            ));
-        }
-        let side = match (&of_rows, sides.len()) {
-            (None, 1) => 0,
-            (None, _) => {
-                return Err(missing("side", "`left` or `right`, as the case computes both"));
-            }
-            (Some(own), _) => {
-                let at = sides.iter().position(|side| side.name() == own[row]);
-                at.ok_or_else(|| {
-                    let known: Vec<&str> = sides.iter().map(|side| side.name()).collect();
-                    refuse(format!(
-                        "`side` = `{}`: the case computes {}",
-                        own[row],
-                        known.join(" and ")
-                    ))
-                })?
-            }
-        };
-        let bytes = files::read(&request.files.folder.join(file), Contents::Text);
-        let bytes = bytes.map_err(|error| refuse(format!("cannot read `{file}`: {error}")))?;
-        let curve = case.worn_wheel(file, &bytes);
-        let curve = curve.map_err(|error| refuse(format!("`{file}`: {}", error.message)))?;
-        let (test, file) = (tests[row].to_owned(), file.to_owned());
-        all.push(Measured { line, test, file, distance, side, curve });
-    }
-    Ok(all)
-}
-
 /// Keys with the coefficients of those logarithms.
 fn settings<'t>(targets: &'t [Target], logs: &[f64]) -> Vec<(&'t str, f64)> {
     targets.iter().zip(logs).map(|(target, log)| (&*target.key, log.exp())).collect()
@@ -293,110 +228,6 @@ fn sensitivities(
 
 fn identity(size: usize) -> Matrix {
     (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect()
-}
-
-/// Profiles as readings whose errors do not go together: those of the zones of a profile are turned, as it is laid as a whole.
-struct Whitened {
-    tests: Vec<Test>,
-    /// For each test, the tangents of its readings at the logarithms of the run.
-    tangents: Vec<Vec<Tangent>>,
-    at: Vec<f64>,
-    /// For each profile what turns it.
-    turns: Vec<Matrix>,
-    /// The test of each profile.
-    of_test: Vec<usize>,
-}
-
-impl Whitened {
-    fn of(
-        (measured, round): (&[Measured], &Round),
-        slopes: &[Matrix],
-        at: &[f64],
-    ) -> Result<Self, Error> {
-        let none = Self {
-            tests: vec![],
-            tangents: vec![],
-            at: at.to_vec(),
-            turns: vec![],
-            of_test: vec![],
-        };
-        let mut whitened = none;
-        for ((own, laid), slopes) in measured.iter().zip(&round.laid).zip(slopes) {
-            let size = laid.shares.len();
-            let mut of_logs = laid.covariance.clone();
-            for (i, row) in of_logs.iter_mut().enumerate() {
-                row.iter_mut()
-                    .enumerate()
-                    .for_each(|(j, cell)| *cell /= laid.shares[i] * laid.shares[j]);
-            }
-            let turn = power(&of_logs, -0.5, 0.0);
-            let logs: Vec<f64> = laid.shares.iter().map(|share| share.ln()).collect();
-            let values = times(&turn, &logs);
-            let known = whitened.tests.iter().position(|test| test.name == own.test);
-            let test = known.unwrap_or_else(|| {
-                whitened.tests.push(Test { name: own.test.clone(), load: None, readings: vec![] });
-                whitened.tangents.push(vec![]);
-                whitened.tests.len() - 1
-            });
-            for zone in 0..size {
-                whitened.tests[test].readings.push(Reading {
-                    line: own.line,
-                    quantity: zone,
-                    progress: own.distance,
-                    // Only its logarithm counts.
-                    value: values[zone].clamp(-600.0, 600.0).exp(),
-                    uncertainty: Some(1.0),
-                });
-                let along =
-                    |place: usize| (0..size).map(|j| turn[zone][j] * slopes[j][place]).sum();
-                whitened.tangents[test]
-                    .push(Tangent { log: 0.0, slopes: (0..at.len()).map(along).collect() });
-            }
-            whitened.turns.push(turn);
-            whitened.of_test.push(test);
-        }
-        Ok(whitened)
-    }
-
-    /// The coefficients that fit all of them.
-    fn joint(&self, targets: &[Target]) -> Result<Joint, Error> {
-        let all = Tests { tests: &self.tests, quantities: self.at.len() };
-        let mut model = |test: usize, logs: &[f64]| {
-            let off: Vec<f64> = logs.iter().zip(&self.at).map(|(log, at)| log - at).collect();
-            let of = |own: &Tangent| Tangent {
-                log: super::joint::matrix::dot(&own.slopes, &off),
-                slopes: own.slopes.clone(),
-            };
-            Ok::<_, Error>(self.tangents[test].iter().map(of).collect())
-        };
-        all.joint(&self.at, 1e-6, &mut model).map_err(|why| match why {
-            NotTold::Model(error) => error,
-            NotTold::Flat(places) => Error::Mismatch(format!(
-                "the profiles do not determine {}: they are nearly the same whatever it is",
-                places.iter().map(|place| format!("`{}`", targets[*place].key)).collect::<Vec<_>>().join(" and ")
-            )),
-            NotTold::Alone { test, coefficient } => Error::Mismatch(format!(
-                "test `{}` alone determines `{}`, so that nothing says how it scatters between wheels: fit that wheel alone",
-                self.tests[test].name, targets[coefficient].key
-            )),
-            NotTold::Unsettled => Error::Mismatch("no coefficients fit the profiles best".to_owned()),
-        })
-    }
-
-    /// What is uncertain in each coefficient by errors of the logarithms of the zones of each profile.
-    fn response(&self, joint: &Joint, errors: &[Vec<f64>]) -> Vec<f64> {
-        let mut sums = vec![0.0; self.at.len()];
-        for zone in 0..self.turns.first().map_or(0, Vec::len) {
-            let mut more: Vec<Vec<f64>> = vec![vec![]; self.tests.len()];
-            for ((turn, test), errors) in self.turns.iter().zip(&self.of_test).zip(errors) {
-                more[*test].extend(turn.iter().map(|row| row[zone] * errors[zone]));
-            }
-            for (sum, change) in sums.iter_mut().zip(joint.response(&more)) {
-                *sum += change.abs();
-            }
-        }
-        sums
-    }
 }
 
 /// What was found.
