@@ -10,6 +10,7 @@ mod table;
 mod whitened;
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use archard_case::measured::Table;
 use archard_case::{CaseFile, Task, WheelRailCase};
@@ -179,10 +180,10 @@ fn at(
     let mut known: HashMap<u64, Run> = HashMap::new();
     let mut round = Round { laid: vec![], areas: vec![], errors: vec![] };
     for own in measured {
-        let key = own.distance.to_bits();
-        if !known.contains_key(&key) {
-            known.insert(key, runs.run(&settings, own.distance)?);
-        }
+        let of_run = match known.entry(own.distance.to_bits()) {
+            Entry::Occupied(run) => run.into_mut(),
+            Entry::Vacant(none) => none.insert(runs.run(&settings, own.distance)?),
+        };
         let lay = |worn: &archard_rail::wear::Worn| {
             Laid::of(&worn.wheel, &own.curve, zones).map_err(|why| Error::Reading {
                 table: table.source().to_owned(),
@@ -190,16 +191,14 @@ fn at(
                 why: format!("`{}`: {why}", own.file),
             })
         };
-        let of_run = &known[&key];
-        let [fine, coarse, hasty] = [0, 1, 2].map(|pass| lay(&of_run[pass][own.side]));
-        let [fine, coarse, hasty] = [fine?, coarse?, hasty?];
+        // By areas: another grid wears elsewhere by a little, and no share of one shape is the other.
+        let areas = [0, 1, 2].map(|pass| zones.areas(&of_run[pass][own.side].wheel));
         let error = |zone: usize| {
-            let [fine, coarse, hasty] = [&fine, &coarse, &hasty].map(|own| own.shares[zone].ln());
-            archard_rail::wear::error_of([fine, coarse, hasty])
+            archard_rail::wear::error_of([0, 1, 2].map(|pass| areas[pass][zone].ln()))
         };
-        round.errors.push((0..fine.shares.len()).map(error).collect());
-        round.areas.push(zones.areas(&of_run[0][own.side].wheel));
-        round.laid.push(fine);
+        round.errors.push((0..areas[0].len()).map(error).collect());
+        round.laid.push(lay(&of_run[0][own.side])?);
+        round.areas.extend(areas.into_iter().next());
     }
     Ok(round)
 }

@@ -181,13 +181,9 @@ fn best(turning: &Turning, thicknesses: &Thicknesses, places: &[Place]) -> (f64,
                 if run > best.life {
                     best = Best { life: run, choice: Some((at, None)) };
                 }
-                let middle = place.costs.len() / 2;
-                for next in 0..count {
-                    let Some(cost) =
-                        (middle + next).checked_sub(now).and_then(|at| place.costs.get(at))
-                    else {
-                        continue;
-                    };
+                // What turning costs to each thickness, the thickest first.
+                let Some(first) = (place.costs.len() / 2).checked_sub(now) else { continue };
+                for (next, cost) in place.costs.iter().skip(first).take(count).enumerate() {
                     let units = ((cost + allowance) / unit).ceil().max(1.0) as usize;
                     let Some(after) = left.checked_sub(units) else { continue };
                     let life = run + all[after][next].life;
