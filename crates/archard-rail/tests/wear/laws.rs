@@ -60,7 +60,7 @@ fn laws_remember_how_far_points_slid_and_wore() {
     let mut held = 0;
     for (at, depth) in plain.depths().into_iter().enumerate() {
         // Points that a line covers in part slide as far as that part.
-        if slid[at] < 0.5 * most {
+        if slid[at] < 0.65 * most {
             continue;
         }
         let grown = 1.0 + 4.0 * s0 / slid[at] * -(-slid[at] / s0).exp_m1();
