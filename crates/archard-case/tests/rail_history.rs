@@ -188,6 +188,32 @@ fn each_wheel_has_its_load_and_its_creepage() {
     assert!(right.spin != 0.3 && of("left").spin == 0.3 && of("left").creepage != 1e-3);
 }
 
+/// Lateral forces of a history are held against those of the contacts, and against Nadal's limit at every step.
+#[test]
+fn lateral_forces_are_held_against_the_contacts() {
+    let judged = |[first, last]: [f64; 2]| {
+        let text = format!("s [m],y [mm],Y_right [N]\n0,3,{first}\n5,3,{last}\n");
+        let results = results(&text, &[]);
+        let dir = tempdir().unwrap();
+        let mut claim = Claim::take(dir.path()).unwrap();
+        let verdict = write_rail(&mut claim, "", &results, &Totals::default()).unwrap();
+        let complaints: Vec<String> = verdict.complaints().map(|line| line.to_string()).collect();
+        (results, complaints.join("\n"))
+    };
+    let (results, _) = judged([0.0; 2]);
+    let [lateral, vertical] = results.contacts[0].forces();
+    let (results, same) = judged([lateral; 2]);
+    assert_eq!(results.contacts[0].told, Some(lateral));
+    assert!(!same.contains("history") && !same.contains("Nadal"), "{same}");
+    let (_, off) = judged([lateral + 0.2 * vertical; 2]);
+    assert!(off.contains("the right wheel at point 1") && !off.contains("Nadal"), "{off}");
+    // A step above the limit, whose mean with the other is below it.
+    let limit = results.contacts[0].nadal.unwrap();
+    let (results, climbs) = judged([1.1 * limit * vertical, 0.0]);
+    assert!((results.history.unwrap().climb.unwrap() - 1.1).abs() < 1e-3);
+    assert!(climbs.contains("Nadal"), "{climbs}");
+}
+
 #[test]
 fn wrong_histories_are_refused_in_words() {
     let rows = "0,1\n1,2\n";

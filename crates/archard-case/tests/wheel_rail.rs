@@ -156,7 +156,10 @@ fn a_flange_may_be_lubricated() {
     assert_eq!(forces("7 mm", &lubricated), forces("7 mm", &slippery));
     assert_ne!(forces("7 mm", &lubricated), forces("7 mm", &[]));
     let said = resolve(MANCHESTER, &lubricated[..1]).expect_err("half of a zone");
-    assert!(said.contains("motion.wheel_rail.flange_from") && said.contains("together"), "{said}");
+    assert!(
+        said.contains("motion.wheel_rail.flange_from") && said.contains("is missing"),
+        "{said}"
+    );
     let text = "share,shift [mm],flange_friction\n0.5,0,0.1\n0.5,7,0.2\n";
     let case = routes::with_route(text, &lubricated[1..]).expect("a case").case;
     let results = case.solve(|_, _| ControlFlow::Continue(())).expect("contacts");

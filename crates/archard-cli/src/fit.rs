@@ -26,8 +26,10 @@ use crate::verdict;
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let file = diagnose::read(&arguments.case)?;
     let task = diagnose::checked(&file, arguments.quiet)?;
-    if let Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) | Task::WheelRail(_) = task {
-        return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
+    if let Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) = task {
+        return Err(Failure::wrong(
+            "a fit is one of two bodies in contact, which wear, or of a wheel on its rail",
+        ));
     }
     let names = table::names(&arguments.column).map_err(Failure::wrong)?;
     // Columns of the surfaces that the table names.
@@ -72,7 +74,10 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         store: store.as_ref(),
         following: &mut follow,
     };
-    let found = archard_lab::fit(&file, &table, request);
+    let found = match &task {
+        Task::WheelRail(_) => archard_lab::fit_wheel(&file, &table, request),
+        _ => archard_lab::fit(&file, &table, request),
+    };
     follow.end();
     let found = found.map_err(|error| {
         if made {
@@ -151,6 +156,10 @@ impl Following for Follow {
 
     fn observer(&mut self) -> &mut dyn Observer {
         self
+    }
+
+    fn stops(&mut self) -> Option<Box<dyn StdError + Send + Sync>> {
+        self.requests.any().then(|| Interrupted.into())
     }
 }
 

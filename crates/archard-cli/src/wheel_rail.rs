@@ -5,7 +5,8 @@ use std::time::Instant;
 
 use archard_case::ResolvedWheelRail;
 use archard_case::output::{
-    Claim, RailContact, RailHistory, RailLife, RailPlan, RailWear, RouteKeeper, write_rail,
+    Claim, RailContact, RailEconomy, RailHistory, RailLife, RailPlan, RailWear, RouteKeeper,
+    write_rail,
 };
 use archard_rail::wear::{COLUMNS, CONICITY, Kept, Pass, Step};
 
@@ -156,6 +157,7 @@ fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
         }
     }
     wear.plans.iter().try_for_each(|plan| say_plan(plan, wear.extent[0]))?;
+    wear.economies.iter().try_for_each(|economy| say_economy(economy, wear.extent[0]))?;
     if let [Some(new), Some(worn), error] = wear.conicity {
         let error = error.map_or_else(String::new, |error| format!("  +- {}", four(error)));
         say(&format!("conicity          {} new, {} worn{error}", four(new), four(worn)))?;
@@ -185,6 +187,28 @@ fn say_plan(RailPlan { side, when, plan }: &RailPlan, distance: f64) -> Result<(
         km(plan.interval),
         plan.turnings,
         km(plan.life)
+    ))
+}
+
+/// Says how far a wheel runs over a distance (m) that is turned to thinner flanges.
+fn say_economy(RailEconomy { side, economy }: &RailEconomy, distance: f64) -> Result<(), Failure> {
+    let side = side.name();
+    let Some(economy) = economy else {
+        return say(&format!(
+            "thinner flanges   {side} wheel: it does not last till it may be turned"
+        ));
+    };
+    let thin = economy.turnings.iter().map(|own| own.thickness).reduce(f64::min);
+    let thin = thin.map_or_else(String::new, |thin| format!(" down to {} mm", four(1e3 * thin)));
+    let km = |[life, error]: [f64; 2]| {
+        let [life, error] = [life, error].map(|share| four(1e-3 * share * distance));
+        format!("{life} km +- {error}")
+    };
+    say(&format!(
+        "thinner flanges   {side} wheel{thin}: turned {} times, in all {}; with the whole flange each time {}",
+        economy.turnings.len(),
+        km(economy.life),
+        km(economy.full)
     ))
 }
 

@@ -1,6 +1,6 @@
 //! Wear coefficients from what was measured.
 //!
-//! [`fit`] holds a table of tests against runs of a case; [`Study::estimate`] is the statistics, for any model that says what
+//! [`fit`] holds a table of tests against runs of a case, [`fit_wheel`] profiles of railway wheels against runs of their route; [`Study::estimate`] is the statistics, for any model that says what
 //! readings should be at a k.
 
 mod computed;
@@ -22,6 +22,7 @@ mod shape;
 mod surfaces;
 mod untold;
 pub mod validate;
+mod wheel;
 mod within;
 
 pub use effects::Effects;
@@ -35,6 +36,7 @@ pub use search::{Request, fit};
 pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
 pub use surfaces::{Files, Measured, Taken};
 pub use untold::Untold;
+pub use wheel::fit as fit_wheel;
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
 
 #[cfg(test)]

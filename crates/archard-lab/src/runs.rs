@@ -25,6 +25,11 @@ pub trait Following {
 
     /// What observes it: an error ends the fit.
     fn observer(&mut self) -> &mut dyn Observer;
+
+    /// Why a route that it does not observe has to end, if it has to.
+    fn stops(&mut self) -> Option<Box<dyn StdError + Send + Sync>> {
+        None
+    }
 }
 
 /// Runs a case with values in place of its own.

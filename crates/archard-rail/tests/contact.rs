@@ -75,6 +75,7 @@ fn eight_shifts_bear_the_same() {
         friction,
         flange: None,
         wear: [None, None],
+        flange_wear: None,
         shear_yield: 800e6,
     };
     let mut wrong = vec![];
@@ -122,6 +123,7 @@ fn the_wheelset_rolls_until_both_wheels_carry() {
         friction,
         flange: None,
         wear: [None, None],
+        flange_wear: None,
         shear_yield: 800e6,
     };
     for row in common::rows(&folder) {

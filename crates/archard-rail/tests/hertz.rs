@@ -46,6 +46,7 @@ fn bodies(coefficient: f64) -> Bodies {
         friction,
         flange: None,
         wear: [None, None],
+        flange_wear: None,
         shear_yield: 800e6,
     }
 }
@@ -222,8 +223,15 @@ fn a_groove_slips_but_for_two_lines() {
     let rolled = |curved: bool| {
         let friction = Arc::new(Coulomb::new(mu).unwrap());
         let wear = [None, None];
-        let bodies =
-            Bodies { wheel: steel, rail: steel, friction, flange: None, wear, shear_yield: 800e6 };
+        let bodies = Bodies {
+            wheel: steel,
+            rail: steel,
+            friction,
+            flange: None,
+            wear,
+            flange_wear: None,
+            shear_yield: 800e6,
+        };
         let resolution = Resolution { elements: 64, curved, ..Resolution::default() };
         let mut operation = operation(0.0, 0.0, load);
         operation.velocity.pitch =

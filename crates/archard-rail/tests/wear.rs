@@ -1,5 +1,8 @@
 //! Wear over a route, against closed forms and against itself.
 
+#[path = "wear/laws.rs"]
+mod laws;
+
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -35,6 +38,7 @@ fn bodies(wears: [bool; 2]) -> Bodies {
         friction: friction(),
         flange: None,
         wear,
+        flange_wear: None,
         shear_yield: 800e6,
     }
 }
@@ -86,6 +90,7 @@ fn journey(setup: Setup, wears: [bool; 2], points: Vec<OperatingPoint>, distance
         resolution: Resolution { elements: 16, curved: false, ..Resolution::default() },
         tolerance: 0.02,
         smoothing: 2e-3,
+        thinnings: vec![],
         amplitude: None,
     }
 }

@@ -41,6 +41,8 @@ pub struct RailContact {
     pub load: f64,
     /// Lateral over vertical force at which the flange may climb the rail, by Nadal; `None` without a flange.
     pub nadal: Option<f64>,
+    /// The lateral force (N) on the rail, to the field side, that another program has found.
+    pub told: Option<f64>,
     /// Its patches, from the field side to the flange, as this side sees them.
     pub patches: Vec<Patch>,
 }
@@ -67,6 +69,8 @@ pub struct RailHistory {
     pub steps: usize,
     /// What the points lose, relative to all work of friction: its amount and its place on the wheel.
     pub loss: f64,
+    /// The largest lateral over vertical force that it tells of a wheel, relative to Nadal's limit; `None` where it tells none.
+    pub climb: Option<f64>,
     /// The points by the titles of their columns, which a route is read from.
     pub rows: Vec<(String, Vec<f64>)>,
 }
@@ -221,7 +225,13 @@ fn image(patch: &Patch) -> Image {
     Image { origin, spacing, elements, fields }
 }
 
-/// What can be believed of the contacts, whatever the user was warned of before.
+impl RailResults {
+    /// What can be believed of the contacts, whatever the user was warned of before.
+    pub fn verdict(&self) -> Verdict {
+        rail_verdict(self)
+    }
+}
+
 fn rail_verdict(results: &RailResults) -> Verdict {
     let RailResults { contacts, flank, hardness, wear, history } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
@@ -246,11 +256,17 @@ fn rail_verdict(results: &RailResults) -> Verdict {
     lines.extend(stated(contacts));
     let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
-    let climbs = contacts.iter().filter_map(|contact| {
+    let climbs = contacts.iter().flat_map(|contact| {
         let [lateral, vertical] = contact.forces();
-        Some(lateral / vertical / contact.nadal?)
+        let both = [Some(lateral), contact.told].into_iter().flatten();
+        both.filter_map(move |lateral| Some(lateral / vertical / contact.nadal?))
     });
+    let climbs = climbs.chain(history.iter().filter_map(|history| history.climb));
     lines.extend(climbs.max_by(f64::total_cmp).map(verdict::nadal));
+    lines.extend(farthest(contacts).map(|(contact, off)| {
+        let point = contact.at.map_or(1, |at| at.point);
+        verdict::lateral(off, &format!("the {} wheel at point {point}", contact.side.name()))
+    }));
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
     let first = wear.iter().filter_map(|wear| wear.lives.first()?.at).next();
     let life = |[at, error]: [f64; 2]| {
@@ -260,6 +276,17 @@ fn rail_verdict(results: &RailResults) -> Verdict {
     lines.extend(wear.as_ref().and_then(RailWear::worst_of_service));
     lines.extend(history.as_ref().map(|history| verdict::gathered(history.loss)));
     Verdict { lines }
+}
+
+/// The contact of new profiles whose lateral force differs most from the one that another program has found, and by how much, relative to
+/// its vertical force.
+pub fn farthest(contacts: &[RailContact]) -> Option<(&RailContact, f64)> {
+    let new = contacts.iter().filter(|contact| !contact.at.is_some_and(|at| at.worn));
+    let off = new.filter_map(|contact| {
+        let [lateral, vertical] = contact.forces();
+        Some((contact, (lateral - contact.told?).abs() / vertical))
+    });
+    off.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
 /// The largest stated error of all patches, relative: of pressures and areas to themselves, of forces to the force on their
@@ -321,12 +348,28 @@ fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {
         values
     };
     let all: Vec<Value> = patches(&results.contacts).map(of_patch).collect();
+    let told = results.contacts.iter().filter(|contact| contact.told.is_some());
+    let lateral = told.map(|contact| {
+        let [lateral, vertical] = contact.forces();
+        let mut values = json!({
+            "lateral_force_N": lateral,
+            "vertical_force_N": vertical,
+            "told_lateral_force_N": contact.told,
+            "nadal_limit": contact.nadal,
+        });
+        for (name, label) in contact.labels() {
+            values[name] = json!(label);
+        }
+        values
+    });
+    let lateral: Vec<Value> = lateral.collect();
     json!({
         "program": "archard",
         "version": env!("CARGO_PKG_VERSION"),
         "complete": totals.failure.is_none(),
         "failure": totals.failure,
         "patches": all,
+        "lateral_forces": lateral,
         "history": results.history.as_ref().map(|history| json!({
             "steps": history.steps,
             "points": history.rows.first().map_or(0, |(_, values)| values.len()),

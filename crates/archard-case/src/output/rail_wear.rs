@@ -3,12 +3,13 @@
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
 use archard_rail::wear::{
-    ASKED, COLUMNS, CONICITY, Limit, Plan, Told, Travelled, Turning, Worn, WornProfile, error_of,
+    ASKED, COLUMNS, CONICITY, Economy, Plan, Told, Travelled, Turned, Worn, WornProfile, error_of,
 };
 use serde_json::{Value, json};
 
 use super::Error;
 use super::manifest::Manifest;
+use super::rail_service::{RailEconomy, RailLife, RailPlan};
 use super::table::{Table, number};
 use crate::verdict::{self, Line};
 
@@ -35,70 +36,12 @@ pub struct RailWear {
     pub cracks: [bool; 2],
     /// When the wheels are turned again; none where nobody asks for it.
     pub plans: Vec<RailPlan>,
+    /// How wheels run farthest that are turned to thinner flanges; none where nobody asks for it.
+    pub economies: Vec<RailEconomy>,
     /// When the wheels reach their limits, those first that are reached first; none without limits.
     pub lives: Vec<RailLife>,
     /// The formats in which the profiles of the wheel and of the rail were read.
     pub formats: [Format; 2],
-}
-
-/// When a wheel reaches a limit in service.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RailLife {
-    /// The limit.
-    pub limit: Limit,
-    /// The side.
-    pub side: Side,
-    /// The share of the distance at which it is reached, and its error; `None` where it is not.
-    pub at: Option<[f64; 2]>,
-}
-
-impl RailLife {
-    /// When the wheels of these sides reach limits, the first first.
-    pub fn of(limits: &[Limit], sides: &[Side], travelled: &Travelled) -> Vec<Self> {
-        let of_side = |&side: &Side| {
-            let of = move |&limit: &Limit| Self { limit, side, at: travelled.life(&limit, side) };
-            limits.iter().map(of)
-        };
-        let mut lives: Vec<Self> = sides.iter().flat_map(of_side).collect();
-        let share = |life: &Self| life.at.map_or(f64::INFINITY, |[share, _]| share);
-        lives.sort_by(|one, other| share(one).total_cmp(&share(other)));
-        lives
-    }
-}
-
-/// How often a wheel is turned again, and how far it runs in all.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RailPlan {
-    /// The side.
-    pub side: Side,
-    /// When it is turned: at the limit that it reaches first, at the end of the distance, or where that costs the least of its radius.
-    pub when: &'static str,
-    /// The plan; `None` where the wheel does not last till then.
-    pub plan: Option<Plan>,
-}
-
-impl RailPlan {
-    /// The plans of wheels of these sides: at the first limit, or at the end where none exists, and where a metre costs least.
-    pub fn of(
-        turning: &Turning,
-        limits: &[Limit],
-        sides: &[Side],
-        travelled: &Travelled,
-    ) -> Vec<Self> {
-        let of_side = |&side: &Side| {
-            let reached = limits.iter().map(|limit| travelled.reached(limit, side));
-            let first = reached.fold([f64::INFINITY; 3], |least, own| {
-                [0, 1, 2].map(|run| least[run].min(own[run]))
-            });
-            let limited = first[0].is_finite();
-            let until = if limited { first } else { [1.0; 3] };
-            let when = if limited { "limit" } else { "end" };
-            let plan = travelled.plan(turning, side, until);
-            let cheapest = travelled.cheapest_plan(turning, side, until[0]);
-            [(when, plan), ("cheapest", cheapest)].map(|(when, plan)| Self { side, when, plan })
-        };
-        sides.iter().flat_map(of_side).collect()
-    }
 }
 
 /// A profile that wears: its body, its side, and the name of its file.
@@ -346,7 +289,29 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
             "error_of_distance_m": distance(|plan| plan.life[1]),
         })
     };
+    let economy = |RailEconomy { side, economy }: &RailEconomy| {
+        let distance = |share: f64| share * wear.extent[0];
+        let of = |economy: &Economy| {
+            let turned = |own: &Turned| {
+                json!({
+                    "interval_m": distance(own.interval),
+                    "depth_m": own.depth,
+                    "flange_thickness_m": own.thickness,
+                })
+            };
+            json!({
+                "side": side.name(),
+                "distance_m": distance(economy.life[0]),
+                "error_of_distance_m": distance(economy.life[1]),
+                "full_flange_distance_m": distance(economy.full[0]),
+                "error_of_full_flange_distance_m": distance(economy.full[1]),
+                "turnings": economy.turnings.iter().map(turned).collect::<Vec<_>>(),
+            })
+        };
+        economy.as_ref().map(of)
+    };
     json!({
+        "thinner_flanges": wear.economies.iter().map(economy).collect::<Vec<_>>(),
         "reprofiling": wear.plans.iter().map(plan).collect::<Vec<_>>(),
         "life": wear.lives.iter().map(life).collect::<Vec<_>>(),
         "distance_m": wear.extent[0],

@@ -522,6 +522,16 @@ pub fn climbs(patches: usize) -> Line {
     Line::new("flange", patches as f64, Bound::AtMost([0.0, f64::INFINITY]), text)
 }
 
+/// The lateral force of a wheel against the one that a history has, relative to its vertical force: a chosen bound, and whose.
+///
+/// Wear follows what is computed. Forces of a history with other profiles, friction or yaw are those of another contact.
+pub fn lateral(off: f64, whose: &str) -> Line {
+    let text = format!(
+        "of its vertical force is the lateral force of {whose} off that of the history: look at its sign, profiles, friction, `yaw` and `shift`"
+    );
+    Line::new("lateral", off, Bound::AtMost([0.1, f64::INFINITY]), text)
+}
+
 /// The lateral over the vertical force of a wheel, relative to Nadal's limit.
 ///
 /// Above it the flange may climb: the vertical force is less than what friction and the flange's inclination hold up.

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 49] = [
+const GOOD: [(&str, &str, Number); 50] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -54,6 +54,7 @@ const GOOD: [(&str, &str, Number); 49] = [
     ("missing", "{} of the points without a height", Number::Share),
     ("flange", "no contact above the steepest place of the flange", Number::Unsaid),
     ("climb", "lateral over vertical force {} of Nadal's limit", Number::Share),
+    ("lateral", "lateral forces off those of the history by {} of the load", Number::Share),
     ("image", "image field known to {}", Number::Share),
     ("shakedown", "largest pressure {} of the shakedown limit", Number::Share),
     ("yield", "largest equivalent stress {} of the yield strength", Number::Share),
@@ -268,6 +269,7 @@ mod tests {
             verdict::flanks(0.01),
             verdict::tip("pinion"),
             verdict::nadal(0.2),
+            verdict::lateral(0.05, "the left wheel at point 3"),
             verdict::shakedown(0.2, "rail"),
             verdict::measured(0.01, "depth"),
             verdict::of_run(Word::Good, ""),

@@ -190,3 +190,80 @@ fn wrong_cracks_and_turnings_are_refused_in_words() {
         assert!(expected.iter().all(|one| said.contains(one)), "{options:?}: {said}");
     }
 }
+
+/// A flange has a wear law of its own where it is said where it begins; laws that ask for temperature have none on rails.
+#[test]
+fn a_flange_may_wear_by_its_own_law() {
+    let far = "motion.wheel_rail.distance=10 m";
+    let own = "body.wheel.flange_wear.archard.coefficient=2e-13 1/Pa";
+    let from = "motion.wheel_rail.flange_from=-26 mm";
+    let case = resolve(MANCHESTER, &[WEARS, far, own, from]).expect("a case").case;
+    let again = resolve(&case.to_string(), &[]).expect("what was printed").case;
+    assert_eq!(again, case);
+    let remembers = [
+        "body.wheel.wear.running_in.initial_coefficient=1e-13 1/Pa",
+        "body.wheel.wear.running_in.final_coefficient=1e-14 1/Pa",
+        "body.wheel.wear.running_in.running_in_distance=1 m",
+        far,
+    ];
+    resolve(MANCHESTER, &remembers).expect("a law of the distance slid");
+    let warm = [
+        "body.wheel.wear.expression.depth=k * p * s * temperature / t",
+        "body.wheel.wear.expression.k=1e-13 1/Pa",
+        "body.wheel.wear.expression.t=300 K",
+        far,
+    ];
+    let rail = "body.rail.flange_wear.archard.coefficient=2e-13 1/Pa";
+    for (options, expected) in [
+        (vec![WEARS, far, own], ["motion.wheel_rail.flange_from", "where the flange begins"]),
+        (vec![WEARS, far, from], ["motion.wheel_rail.flange_from", "counts for nothing"]),
+        (vec![own, from], ["body.wheel.flange_wear", "has no `wear`"]),
+        (vec![WEARS, far, rail, from], ["body.rail.flange_wear", "has no `wear`"]),
+        (warm.to_vec(), ["body.wheel.wear", "not computed of wheels on rails"]),
+    ] {
+        let said = resolve(MANCHESTER, &options).err();
+        let said = said.unwrap_or_else(|| panic!("{options:?} passes"));
+        assert!(expected.iter().all(|one| said.contains(one)), "{options:?}: {said}");
+    }
+}
+
+/// A wheel that may be turned to thinner flanges runs as far as one that may not, or farther, on the radius that it has.
+#[test]
+fn a_wheel_may_be_turned_to_thinner_flanges() {
+    let route = "share,shift [mm]\n0.6,0\n0.4,4.6\n";
+    let usual = [
+        WEARS,
+        "motion.wheel_rail.distance=4000 km",
+        "reprofiling.last_radius=455 mm",
+        "reprofiling.allowance=0.1 mm",
+        "reprofiling.thinnest_flange=31 mm",
+        "until.standard=EN 15313",
+    ];
+    let case = with_route(route, &usual).expect("a case").case;
+    let again = resolve(&case.to_string(), &["motion.wheel_rail.route="]);
+    assert_eq!(again.expect("what was printed").case.reprofiling, case.reprofiling);
+    let results = case.solve(|_, _| ControlFlow::Continue(())).expect("wear");
+    let wear = results.wear.expect("wear");
+    let economy = wear.economies[0].economy.as_ref().expect("a life");
+    eprintln!("{economy:?}");
+    assert!(economy.life[0] >= economy.full[0] && economy.full[0] > 0.0, "{economy:?}");
+    let cut: f64 = economy.turnings.iter().map(|own| own.depth).sum();
+    assert!(!economy.turnings.is_empty() && cut < 5e-3, "{economy:?}");
+    assert!(economy.turnings.iter().all(|own| (31e-3..33e-3).contains(&own.thickness)));
+    // Runs by themselves, on radii as they are left, and a last one that is no longer than the whole distance.
+    let (mut radius, mut runs) = (0.46, 0.0);
+    for turned in &economy.turnings {
+        runs += turned.interval * radius / 0.46;
+        radius -= turned.depth;
+    }
+    assert!((runs..=runs + 1.0).contains(&economy.life[0]), "{runs} {economy:?}");
+    for (options, expected) in [
+        (vec!["reprofiling.thinnest_flange=34 mm"], "has to lie between"),
+        (vec!["reprofiling.thinnest_flange=20 mm"], "has to lie between"),
+        (vec!["reprofiling.flange_step=1 um"], "thicknesses"),
+    ] {
+        let said = with_route(route, &[&usual[..], &options].concat()).err();
+        let said = said.unwrap_or_else(|| panic!("{options:?} passes"));
+        assert!(said.contains(expected) && said.contains("reprofiling"), "{options:?}: {said}");
+    }
+}

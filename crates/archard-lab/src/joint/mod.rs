@@ -4,7 +4,7 @@
 //! model is linearised where each test is (M. J. Lindstrom and D. M. Bates, Biometrics 46 (1990) 673), and [`mixed`] and [`robust`]
 //! say what follows.
 
-mod matrix;
+pub mod matrix;
 mod mixed;
 mod robust;
 #[cfg(test)]

@@ -10,3 +10,4 @@ mod refused;
 mod surfaces;
 mod together;
 mod validated;
+mod wheel;

@@ -36,7 +36,7 @@ use std::sync::Arc;
 
 use archard::Material;
 use archard::friction::Friction;
-use archard::wear::WearLaw;
+use archard::wear::{Input, WearLaw};
 
 use crate::search::JOIN;
 use crate::setup::{Attitude, Setup, Side, Velocity};
@@ -58,6 +58,8 @@ pub struct Bodies {
     pub flange: Option<Zone>,
     /// How the wheel and the rail wear.
     pub wear: Wear,
+    /// How both wear where the flange of the wheel touches, where that differs.
+    pub flange_wear: Option<FlangeWear>,
     /// Yield stress in shear (Pa) of the softer of both.
     pub shear_yield: f64,
 }
@@ -71,6 +73,15 @@ pub struct Zone {
     pub friction: Arc<dyn Friction>,
 }
 
+/// The wear of a zone of the wheel, and of what it touches.
+#[derive(Debug, Clone)]
+pub struct FlangeWear {
+    /// y (m) on the profile of the wheel where it begins: it reaches from there to the tip of the flange.
+    pub from: f64,
+    /// Its wear laws; `None` of a body that wears there by its own law.
+    pub wear: Wear,
+}
+
 impl Bodies {
     /// The friction of a patch whose reference point lies at that y (m) on the profile of the wheel.
     pub fn friction_at(&self, y: f64) -> &Arc<dyn Friction> {
@@ -78,6 +89,20 @@ impl Bodies {
             Some(zone) if y <= zone.from => &zone.friction,
             _ => &self.friction,
         }
+    }
+}
+
+impl Bodies {
+    /// The wear laws on the flange: its own, and where it has none those of the bodies.
+    pub fn wear_on_the_flange(&self) -> Option<(f64, Wear)> {
+        let FlangeWear { from, wear } = self.flange_wear.as_ref()?;
+        Some((*from, [0, 1].map(|body| wear[body].clone().or_else(|| self.wear[body].clone()))))
+    }
+
+    /// Whether a wear law asks for something.
+    pub fn asks_for(&self, input: Input) -> bool {
+        let on_the_flange = self.flange_wear.iter().flat_map(|flange| &flange.wear);
+        self.wear.iter().chain(on_the_flange).flatten().any(|law| law.inputs().contains(&input))
     }
 }
 

@@ -1,10 +1,12 @@
 //! One patch in its tangent plane: pressures and friction of half-spaces at a height of the wheel.
 
+use std::sync::Arc;
+
 use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
 use archard::motion::{Control, Drive, Drives, Rolling};
-use archard::simulation::{Builder, Refused, WornLine};
+use archard::simulation::{Builder, Refused};
 use archard::{Body, Contact, ContactFrame};
 
 use super::lattice::Lattice;
@@ -33,8 +35,8 @@ pub(crate) struct Pressed {
     pub power: f64,
     /// How much the inclination of the rail (rad) differs within the contact.
     pub angle_spread: f64,
-    /// What one passage wears off the wheel and the rail, over s.
-    pub worn: Vec<WornLine>,
+    /// What it was read off, where bodies wear: lines across s wear at each passage.
+    pub contact: Option<Arc<Contact>>,
     /// What is known of each element.
     pub map: PatchMap,
 }
@@ -133,7 +135,7 @@ impl Site {
         builder.friction = Some(bodies.friction_at(y).clone());
         let contact = builder.solve()?;
         let wears = bodies.wear.iter().any(Option::is_some);
-        let worn = if wears { contact.passage()? } else { vec![] };
+        let contact = Arc::new(contact);
         let (problem, state) = (contact.problem(), contact.state());
         let drives = problem.motion.driven(0.0).unwrap_or(Drives::FREE);
         let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
@@ -169,7 +171,7 @@ impl Site {
             area: contact.area(),
             power: tangential.map_or(0.0, |of| of.creep_power(problem, &drives) * creepage.speed),
             angle_spread,
-            worn,
+            contact: wears.then(|| contact.clone()),
             patch: self.patch,
             creepage,
         })
@@ -227,7 +229,7 @@ impl Site {
             area: 0.0,
             power: 0.0,
             angle_spread: 0.0,
-            worn: vec![],
+            contact: None,
             map: PatchMap::default(),
         }
     }

@@ -1,5 +1,6 @@
 //! How wheel and rail change over a route, in a few numbers.
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::{Journey, Travelled, Worn, error_of};
@@ -43,9 +44,17 @@ pub struct Told {
     pub side: Side,
     /// The values by [`COLUMNS`]; not a number where the wheel has no flange or no tread.
     pub values: Vec<f64>,
+    /// What turning costs (m) with a flange that is thinner by what was asked for; empty where nothing was.
+    pub thinner: Vec<f64>,
 }
 
 impl Journey {
+    /// What turning costs (m) for each change of the flange.
+    pub(super) fn thinned(&self, worn: &Worn) -> Vec<f64> {
+        let cost = |thinner: &f64| worn.wheel.thinning_depth(self.setup.wheel(), *thinner);
+        self.thinnings.par_iter().map(cost).collect()
+    }
+
     /// What is told of a side by all of [`COLUMNS`] but the last.
     pub(super) fn told(&self, worn: &Worn) -> Vec<f64> {
         let Worn { wheel, rail, .. } = worn;

@@ -76,7 +76,7 @@ mod tests {
         let told = |(progress, conicity): (f64, f64)| {
             let mut values = vec![0.0; COLUMNS.len()];
             values[COLUMNS.len() - 1] = conicity;
-            Told { progress, side: Side::Right, values }
+            Told { progress, side: Side::Right, values, thinner: vec![] }
         };
         let course = [(0.0, 0.1), (0.5, f64::NAN), (1.0, 0.3)].map(told);
         let limit = Limit { column: CONICITY, value: 0.2, below: false };

@@ -20,7 +20,9 @@ mod filter;
 mod kept;
 mod limits;
 mod march;
+mod measured;
 mod rates;
+mod thinner;
 mod turning;
 mod work;
 mod worn_profile;
@@ -30,6 +32,8 @@ pub use cracks::Cracks;
 pub use kept::Kept;
 pub use limits::Limit;
 pub use march::Step;
+pub use measured::Held;
+pub use thinner::{Economy, Thicknesses, Turned};
 pub use turning::{Plan, Turning};
 pub use worn_profile::WornProfile;
 
@@ -134,6 +138,8 @@ pub struct Journey {
     pub tolerance: f64,
     /// Waves (m) of the worn depth that keep half of their height.
     pub smoothing: f64,
+    /// Changes of the thickness of the flange (m), for which is told what turning costs; empty of none.
+    pub thinnings: Vec<f64>,
     /// Amplitude (m) of the lateral motion for which the equivalent conicity is told after each step; `None` of none, which takes less
     /// time.
     pub amplitude: Option<f64>,
@@ -304,6 +310,7 @@ impl Journey {
                     progress,
                     side: one.side,
                     values: [journey.told(one), vec![conicity]].concat(),
+                    thinner: journey.thinned(one),
                 });
                 kept.take(pass, place, told);
                 watch(pass, &Step { progress, worn, kept: &kept })

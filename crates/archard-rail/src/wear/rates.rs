@@ -1,11 +1,12 @@
 //! How fast profiles lose volume over the whole of a route.
 
 use archard::simulation::WornLine;
+use archard::wear::Input;
 use rayon::prelude::*;
 
-use super::worn_profile::{Lost, Strip};
+use super::worn_profile::{Before, Lost, Strip};
 use super::{Journey, OperatingPoint, WearError, Worn};
-use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution};
+use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution, Wear};
 use crate::setup::{Setup, Side};
 
 /// What each point of the wheel and of the rail loses over the whole distance, for each side.
@@ -25,6 +26,8 @@ type Strips = [Taken; 2];
 struct Taken {
     /// Volumes (m^3, of a rail m^2) of lines.
     volumes: Vec<Strip>,
+    /// Distances (m) that lines slide, in all.
+    slid: Vec<Strip>,
     /// Damage under patches.
     damage: Vec<Strip>,
 }
@@ -72,9 +75,11 @@ impl Journey {
     ) -> Result<(Rates, f64), WearError> {
         let setups = worn.iter().map(|one| self.setup.worn(one.rail.curve(), one.wheel.curve()));
         let setups: Vec<Setup> = setups.collect();
+        let before = worn.iter().map(|one| one.profiles().map(|profile| profile.before()));
+        let before: Vec<[Before; 2]> = before.collect();
         let points = self.route.points.par_iter().zip(depths.par_iter_mut()).enumerate();
         let strips = points.map(|(at, (point, depths))| {
-            let found = self.strips(&setups, point, depths);
+            let found = self.strips((&setups, &before), point, depths);
             found.map_err(|cause| WearError::Contact {
                 point: at + 1,
                 progress,
@@ -85,7 +90,7 @@ impl Journey {
         let none = |one: &Worn| {
             [&one.wheel, &one.rail].map(|profile| {
                 let nothing = vec![0.0; profile.len()];
-                Lost { volume: nothing.clone(), damage: nothing }
+                Lost { volume: nothing.clone(), slid: nothing.clone(), damage: nothing }
             })
         };
         let mut rates: Rates = worn.iter().map(none).collect();
@@ -96,6 +101,7 @@ impl Journey {
             for ((one, strips), rates) in worn.iter().zip(strips).zip(&mut rates) {
                 for ((profile, taken), lost) in one.profiles().into_iter().zip(&strips).zip(rates) {
                     profile.lay(&taken.volumes, &mut lost.volume);
+                    profile.cover(&taken.slid, &mut lost.slid);
                     profile.cover(&taken.damage, &mut lost.damage);
                 }
             }
@@ -103,6 +109,7 @@ impl Journey {
         for (one, rates) in worn.iter().zip(&mut rates) {
             for (profile, lost) in one.profiles().into_iter().zip(rates) {
                 lost.volume = profile.smoothed(std::mem::take(&mut lost.volume));
+                lost.slid = profile.smoothed_depths(&lost.slid);
             }
         }
         Ok((rates, off))
@@ -111,7 +118,7 @@ impl Journey {
     /// What is lost at a point of the route on each side.
     fn strips(
         &self,
-        setups: &[Setup],
+        (setups, before): (&[Setup], &[[Before; 2]]),
         point: &OperatingPoint,
         depths: &mut [Option<f64>],
     ) -> Result<AtPoint, ContactError> {
@@ -128,7 +135,7 @@ impl Journey {
             off = off.max(loaded.off(&patches));
             let mut strips = Strips::default();
             for patch in &patches {
-                self.wear_of(&loaded, patch, point, &mut strips)?;
+                self.wear_of((&loaded, &before[at]), patch, point, &mut strips)?;
                 self.cracks_of(&loaded, patch, point, &mut strips)?;
             }
             Ok::<Strips, ContactError>(strips)
@@ -140,30 +147,60 @@ impl Journey {
     /// Adds what the lines of a patch lose.
     fn wear_of(
         &self,
-        loaded: &Loaded<'_>,
+        (loaded, before): (&Loaded<'_>, &[Before; 2]),
         patch: &Pressed,
         point: &OperatingPoint,
         strips: &mut Strips,
     ) -> Result<(), ContactError> {
-        let wears = |line: &&WornLine| line.depths.iter().any(|&depth| depth > 0.0);
-        let lines: Vec<&WornLine> = patch.worn.iter().filter(wears).collect();
-        if lines.is_empty() {
+        let Some(contact) = &patch.contact else { return Ok(()) };
+        let told = contact.passage()?;
+        let slides = (0..told.len()).filter(|&line| told[line].slid > 0.0);
+        let slides: Vec<usize> = slides.collect();
+        if slides.is_empty() {
             return Ok(());
         }
-        let ends = |line: &&WornLine| [-0.5, 0.5].map(|part| line.place + part * line.width);
-        let ends: Vec<f64> = lines.iter().flat_map(ends).collect();
+        let ends = |&line: &usize| {
+            let WornLine { place, width, .. } = told[line];
+            [-0.5, 0.5].map(|part| place + part * width)
+        };
+        let ends: Vec<f64> = slides.iter().flat_map(ends).collect();
         let places = placed(loaded, patch, &ends)?;
+        let middle = |body: usize, nth: usize| {
+            let places: &Vec<f64> = &places[body];
+            0.5 * (places[2 * nth] + places[2 * nth + 1])
+        };
+        let mut ages = vec![[[0.0; 2]; 2]; told.len()];
+        for (nth, &line) in slides.iter().enumerate() {
+            ages[line] = [0, 1].map(|body| before[body].at(middle(body, nth)));
+        }
+        let by = |laws: &Wear| contact.passage_by(laws, |body, line| ages[line][body]);
+        let mut lines = if self.remembers() { by(&self.bodies.wear)? } else { told };
+        if let Some((from, laws)) = self.bodies.wear_on_the_flange() {
+            let on_the_flange = by(&laws)?;
+            let wheel = loaded.search().setup().wheel();
+            for (nth, &line) in slides.iter().enumerate() {
+                if wheel.point(middle(0, nth))[0] <= from {
+                    lines[line] = on_the_flange[line];
+                }
+            }
+        }
         // While the wheelset goes a metre the patch rolls over so many.
         let rolled = patch.creepage.speed / point.velocity.forward;
         let metres = [self.route.distance, self.route.axles].map(|all| all * point.share * rolled);
         for body in 0..2 {
-            let strip = |(line, ends): (&&WornLine, &[f64])| {
-                ([ends[0], ends[1]], line.depths[body] * line.width * metres[body])
-            };
-            let lost = lines.iter().zip(places[body].chunks(2)).map(strip);
-            strips[body].volumes.extend(lost);
+            for (&line, ends) in slides.iter().zip(places[body].chunks(2)) {
+                let (WornLine { width, depths, slid, .. }, ends) =
+                    (lines[line], [ends[0], ends[1]]);
+                strips[body].volumes.push((ends, depths[body] * width * metres[body]));
+                strips[body].slid.push((ends, slid * metres[body]));
+            }
         }
         Ok(())
+    }
+
+    /// Whether a law asks for what points went through before.
+    fn remembers(&self) -> bool {
+        [Input::Distance, Input::Depth].into_iter().any(|input| self.bodies.asks_for(input))
     }
 
     /// Adds the damage that a patch does over its width, on each metre.

@@ -17,10 +17,15 @@ impl WornProfile {
     /// How much less (m) the radius is after that profile of a wheel was turned again. Counted is from the tip of the flange to the
     /// field side, where both reach: the back of the flange does not touch.
     pub fn turning_depth(&self, profile: &Curve) -> f64 {
+        self.turning_within(profile, profile)
+    }
+
+    /// The same from the tip of another profile's flange on.
+    pub(super) fn turning_within(&self, profile: &Curve, from: &Curve) -> f64 {
         let places = profile.samples(STEP);
         let y = |along: f64| profile.point(along)[0];
         let across: Vec<f64> = places.iter().map(|&along| y(along)).collect();
-        let tip = flange::tip(profile).map_or(f64::NEG_INFINITY, |[y, _]| y);
+        let tip = flange::tip(from).map_or(f64::NEG_INFINITY, |[y, _]| y);
         // y falls from the field side to the flange.
         let height = |wanted: f64| {
             let passes = |pair: &[f64]| (pair[0] - wanted) * (pair[1] - wanted) <= 0.0;

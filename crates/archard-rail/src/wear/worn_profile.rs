@@ -31,6 +31,8 @@ pub struct WornProfile {
     points: Vec<Point>,
     /// Volume (m^3) that is gone at each point; of a rail that of one metre (m^3/m).
     gone: Vec<f64>,
+    /// Distance (m) that each point slid under pressure.
+    slid: Vec<f64>,
     /// Damage by cracks at each point.
     damage: Vec<f64>,
     curve: Curve,
@@ -42,12 +44,34 @@ pub struct WornProfile {
 pub(super) struct Lost {
     /// Volume (m^3, of a rail m^2).
     pub volume: Vec<f64>,
+    /// Distance (m) slid under pressure.
+    pub slid: Vec<f64>,
     /// Damage by cracks, negative where they are worn off.
     pub damage: Vec<f64>,
 }
 
 /// A strip of a curve: its ends (m along the curve), and what it loses or what passes over it.
 pub(super) type Strip = ([f64; 2], f64);
+
+/// How far points of a profile slid and how deep they wore so far.
+#[derive(Debug)]
+pub(super) struct Before {
+    /// Where they lie (m along the worn curve), rising, and both (m).
+    nodes: Vec<f64>,
+    ages: Vec<[f64; 2]>,
+}
+
+impl Before {
+    /// At a place (m along the worn curve), straight between points.
+    pub fn at(&self, along: f64) -> [f64; 2] {
+        let after = self.nodes.partition_point(|&node| node <= along);
+        let after = after.clamp(1, self.nodes.len() - 1);
+        let [from, to] = [self.nodes[after - 1], self.nodes[after]];
+        let share = ((along - from) / (to - from)).clamp(0.0, 1.0);
+        let [one, other] = [self.ages[after - 1], self.ages[after]];
+        [0, 1].map(|part| one[part] + share * (other[part] - one[part]))
+    }
+}
 
 /// A point of the unworn profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +159,8 @@ impl WornProfile {
         let filter = Filter::new(smoothing, weights, links.collect());
         let gone = vec![0.0; points.len()];
         let curve = through(points.iter().map(|point| point.at).collect())?;
-        Ok(Self { part, points, damage: gone.clone(), gone, curve, filter })
+        let none = || gone.clone();
+        Ok(Self { part, points, slid: none(), damage: none(), gone, curve, filter })
     }
 
     /// The worn curve (m).
@@ -151,6 +176,11 @@ impl WornProfile {
     /// The points of the unworn profile, in the same order.
     pub fn unworn(&self) -> Profile {
         Profile { points: self.points.iter().map(|point| point.at).collect() }
+    }
+
+    /// Each point of the unworn profile (m) with its normal and the length (m) that it stands for.
+    pub(super) fn stations(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2], f64)> {
+        self.points.iter().map(|point| (point.at, point.normal, point.length))
     }
 
     /// Depth (m) along the normal at each point.
@@ -175,6 +205,17 @@ impl WornProfile {
         &self.gone
     }
 
+    /// Distance (m) that each point slid under pressure.
+    pub fn slid(&self) -> &[f64] {
+        &self.slid
+    }
+
+    /// How far its points slid and how deep they wore so far.
+    pub(super) fn before(&self) -> Before {
+        let ages = self.slid.iter().zip(self.depths()).map(|(slid, depth)| [*slid, depth]);
+        Before { nodes: self.curve.nodes().to_vec(), ages: ages.collect() }
+    }
+
     /// Damage by cracks at each point: at 1 a crack is expected.
     pub fn damage(&self) -> &[f64] {
         &self.damage
@@ -182,7 +223,7 @@ impl WornProfile {
 
     /// All that it has lost.
     pub(super) fn lost(&self) -> Lost {
-        Lost { volume: self.gone.clone(), damage: self.damage.clone() }
+        Lost { volume: self.gone.clone(), slid: self.slid.clone(), damage: self.damage.clone() }
     }
 
     /// Volume (m^3) that is gone; of a rail that of one metre (m^2).
@@ -192,8 +233,13 @@ impl WornProfile {
 
     /// Area (m^2) of the cross-section that is gone.
     pub fn area(&self) -> f64 {
+        self.areas().into_iter().sum()
+    }
+
+    /// The same of each point.
+    pub fn areas(&self) -> Vec<f64> {
         let of = |(point, gone): (&Point, &f64)| gone / point.girth;
-        self.points.iter().zip(&self.gone).map(of).sum()
+        self.points.iter().zip(&self.gone).map(of).collect()
     }
 
     /// What strips of the present curve lose at each point: `strips` holds the ends of each (m along the curve), and what it loses.
@@ -247,19 +293,27 @@ impl WornProfile {
         self.filter.smooth(volumes)
     }
 
+    /// Distances (m) at the points with their waves smoothed as those of depths are.
+    pub(super) fn smoothed_depths(&self, depths: &[f64]) -> Vec<f64> {
+        let weight = |point: &Point| point.length * point.girth;
+        let volumes = self.points.iter().zip(depths).map(|(point, depth)| depth * weight(point));
+        self.as_depths(&self.smoothed(volumes.collect()))
+    }
+
     /// The same after those losses lasted for so long each.
     ///
     /// # Errors
     /// As [`worn_to`](Self::worn_to).
     pub(super) fn after(&self, losses: &[(&Lost, f64)]) -> Result<Self, WearError> {
-        let (mut gone, mut damage) = (self.gone.clone(), self.damage.clone());
+        let Lost { volume: mut gone, mut slid, mut damage } = self.lost();
         for (lost, length) in losses {
             gone.iter_mut().zip(&lost.volume).for_each(|(gone, rate)| *gone += length * rate);
+            slid.iter_mut().zip(&lost.slid).for_each(|(all, rate)| *all += length * rate);
             damage.iter_mut().zip(&lost.damage).for_each(|(all, rate)| *all += length * rate);
         }
         // What is worn off where nothing is cracked leaves no credit.
         damage.iter_mut().for_each(|damage| *damage = damage.max(0.0));
-        Ok(Self { damage, ..self.worn_to(gone)? })
+        Ok(Self { slid, damage, ..self.worn_to(gone)? })
     }
 
     /// The same with so much gone (m^3, of a rail m^2) at each point.

@@ -1,5 +1,7 @@
 //! One contact: bodies pressed together and, where they are driven, the friction between them, solved once.
 
+use std::sync::Arc;
+
 use super::builder::Builder;
 use super::effort::Effort;
 use super::error::Error;
@@ -13,6 +15,7 @@ use crate::motion::{Control, Motion, Rolling, Station, Stepping};
 use crate::numerics::vector::in_pool;
 use crate::parameters::Invalid;
 use crate::problem::{ContactProblem, ContactState};
+use crate::wear::WearLaw;
 
 /// A contact that was solved: pressures, gaps, and tractions where bodies are driven with friction.
 ///
@@ -163,6 +166,19 @@ impl Contact {
     /// If surfaces do not pass along the frame.
     pub fn passage(&self) -> Result<Vec<WornLine>, Error> {
         passing::passage(self.problem(), &self.state)
+    }
+
+    /// The same by other wear laws, off lines whose points slid and wore so far (m) before; `before` says it of a body and a line, in
+    /// the order of the lines.
+    ///
+    /// # Errors
+    /// If surfaces do not pass along the frame.
+    pub fn passage_by(
+        &self,
+        laws: &[Option<Arc<dyn WearLaw>>; 2],
+        before: impl Fn(usize, usize) -> [f64; 2],
+    ) -> Result<Vec<WornLine>, Error> {
+        passing::passage_by(self.problem(), &self.state, laws, before)
     }
 }
 

@@ -7,13 +7,18 @@
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
+use std::sync::Arc;
+
 use super::collector::Collector;
 use super::error::Error;
 use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::Slip;
-use crate::problem::{ContactProblem, ContactState, Flash};
-use crate::wear::{Per, Rubbing};
+use crate::problem::{ContactProblem, ContactState, Flash, Unworn};
+use crate::wear::{Per, Rubbing, WearLaw};
+
+/// The wear laws of body 1 and body 2; `None` of one that does not wear.
+pub(super) type Laws = [Option<Arc<dyn WearLaw>>; 2];
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
@@ -38,6 +43,8 @@ pub struct WornLine {
     pub width: f64,
     /// Depths (m) worn off body 1 and body 2.
     pub depths: [f64; 2],
+    /// Distance (m) that its points slide under pressure.
+    pub slid: f64,
 }
 
 /// What one passage wears off each line of the surfaces that pass, under the contact as it is; nothing where none pass.
@@ -46,12 +53,47 @@ pub(super) fn passage(
     state: &ContactState,
 ) -> Result<Vec<WornLine>, Error> {
     let Some(lines) = Collector::of(problem)?.lines() else { return Ok(vec![]) };
-    let made = OfLines::of(state, lines, 1.0).depths;
-    let told = |(line, depths): (&Line, [f64; 2])| {
+    let OfLines { depths, slips, .. } = OfLines::of(state, lines, 1.0);
+    let told = |((line, depths), slid): ((&Line, [f64; 2]), f64)| {
         let passes = |body: usize| if lines.bodies[body] { depths[body] } else { 0.0 };
-        WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)] }
+        WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)], slid }
     };
-    Ok(lines.flow.lines().iter().zip(made).map(told).collect())
+    Ok(lines.flow.lines().iter().zip(depths).zip(slips).map(told).collect())
+}
+
+/// What one passage wears by other laws, off lines whose points slid and wore so far (m) before: `before` says it of a body and the place
+/// of a line in their order.
+pub(super) fn passage_by(
+    problem: &ContactProblem,
+    state: &ContactState,
+    laws: &Laws,
+    before: impl Fn(usize, usize) -> [f64; 2],
+) -> Result<Vec<WornLine>, Error> {
+    let [mut one, mut two] = problem.bodies.clone();
+    [one.wear, two.wear] = laws.clone();
+    let ContactProblem { frame, compliance, friction, motion, .. } = problem;
+    let problem = ContactProblem {
+        bodies: [one, two],
+        frame: frame.clone(),
+        compliance: compliance.clone(),
+        friction: friction.clone(),
+        motion: motion.clone(),
+        unworn: Unworn::default(),
+    };
+    let mut state = state.clone();
+    if let Some(lines) = Collector::of(&problem)?.lines() {
+        for (body, surface) in state.surfaces.iter_mut().enumerate() {
+            surface.slid.resize(surface.depth.len(), 0.0);
+            for (index, line) in lines.flow.lines().iter().enumerate() {
+                let [slid, depth] = before(body, index);
+                for one in &line.passages {
+                    let element = surface.grid.at(one.pair, [0; 2]);
+                    (surface.slid[element], surface.depth[element]) = (slid, depth);
+                }
+            }
+        }
+    }
+    passage(&problem, &state)
 }
 
 /// Wear of the lines under the contact as it is, in one passage.

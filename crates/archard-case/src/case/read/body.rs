@@ -210,7 +210,16 @@ impl Reader<'_> {
 
     /// The wear law, `Some(None)` where none exists; `None` if it is wrong.
     pub(super) fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
-        let Some((key, entry)) = body.get("wear") else { return Some(None) };
+        self.wear_of(body, "wear")
+    }
+
+    /// The same under another name.
+    pub(super) fn wear_of(
+        &mut self,
+        body: &Section<'_>,
+        name: &str,
+    ) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
+        let Some((key, entry)) = body.get(name) else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;
         self.required(&section, "wear law", WEAR_LAWS).map(Some)
     }

@@ -15,7 +15,9 @@ use archard_rail::wear::Cracks;
 /// The tables of such a case.
 const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion", "until", "reprofiling"];
 /// What a wheel or a rail may have.
-const OF_BODIES: &[&str] = &["material", "profile", "wear", "cracks"];
+const OF_BODIES: &[&str] = &["material", "profile", "wear", "flange_wear", "cracks"];
+/// What other bodies may have that roll.
+const OF_OTHERS: &[&str] = &["material", "profile", "wear"];
 
 impl Reader<'_> {
     /// Whether a case is about a wheel on a rail.
@@ -98,7 +100,7 @@ impl Reader<'_> {
             let message = format!("a second {which} next to `{}`: keep one", entry.name);
             self.push(Problem::error(bodies.key.child(&second.name), message).at_name());
         }
-        self.rolling_body(bodies, entry, choices)
+        self.body_of(bodies, entry, (choices, OF_BODIES))
     }
 
     /// A body with a profile of a list.
@@ -108,17 +110,28 @@ impl Reader<'_> {
         entry: &Entry,
         choices: &'static [Choice<S>],
     ) -> Option<Rolled<S>> {
+        self.body_of(bodies, entry, (choices, OF_OTHERS))
+    }
+
+    /// The same, which may have those tables.
+    fn body_of<S>(
+        &mut self,
+        bodies: &Section<'_>,
+        entry: &Entry,
+        (choices, tables): (&'static [Choice<S>], &[&str]),
+    ) -> Option<Rolled<S>> {
         let key = bodies.key.child(&entry.name);
         if !is_bare(&entry.name) {
             let message = "names of bodies are of letters, digits, _ and -";
             self.push(Problem::error(key.clone(), message).at_name());
         }
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", OF_BODIES);
+        self.unknown(&section, "key", tables);
         let material = self.material(&section);
         let profile = self.table(&section, "profile", "the profile")?;
         let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
         let wear = self.wear(&section);
+        let flange_wear = self.wear_of(&section, "flange_wear");
         let cracks = self.cracks(&section);
         let Some(material) = material? else {
             let message = "bodies that roll are elastic";
@@ -126,7 +139,9 @@ impl Reader<'_> {
             return None;
         };
         let (name, hardness, material) = (entry.name.clone(), material.hardness, material.elastic);
-        Some(Rolled { name, material, hardness, profile: profile?, wear: wear?, cracks: cracks? })
+        let (wear, flange_wear) = (wear?, flange_wear?);
+        let (profile, cracks) = (profile?, cracks?);
+        Some(Rolled { name, material, hardness, profile, wear, flange_wear, cracks })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.

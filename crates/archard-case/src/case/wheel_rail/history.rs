@@ -60,6 +60,8 @@ pub const HISTORY: &[Parameter] = &[
     title("creepage_left", "creepage of the left wheel"),
     title("lateral_creepage_left", "lateral creepage of the left wheel"),
     title("spin_left", "spin creepage of the left wheel"),
+    title("lateral_force_right", "lateral force of the right wheel on its rail, to the field side"),
+    title("lateral_force_left", "lateral force of the left wheel on its rail, to the field side"),
 ];
 
 /// The title of a column.
@@ -90,6 +92,8 @@ const NAMES: &[(&str, &[&str])] = &[
     ("q_right", &["qr", "q_r", "vertical_force_right", "right_vertical_force"]),
     ("q_left", &["ql", "q_l", "vertical_force_left", "left_vertical_force"]),
     ("friction", &["mu", "friction_coefficient"]),
+    ("lateral_force_right", &["y_right", "yr", "y_r", "right_lateral_force"]),
+    ("lateral_force_left", &["y_left", "yl", "y_l", "left_lateral_force"]),
 ];
 
 /// Columns that say the same in two ways.

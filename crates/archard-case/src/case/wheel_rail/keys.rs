@@ -103,7 +103,7 @@ pub(super) const FLANGE_FRICTION: Parameter = Parameter::optional(
 pub(super) const FLANGE_FROM: Parameter = Parameter::optional(
     "flange_from",
     Quantity::Length,
-    "y on the profile of the wheel where the flange begins that has this friction: it reaches from there to the tip",
+    "y on the profile of the wheel where the flange begins that has friction or wear of its own: it reaches from there to the tip",
 )
 .bound(Bound::Any);
 pub(super) const STEPS: Parameter = Parameter::optional(

@@ -18,7 +18,8 @@ use archard::body::Material;
 use archard::friction::Friction;
 use archard::parameters::{Invalid, Values};
 use archard::wear::{Input, WearLaw};
-use archard_rail::contact::{Bodies, ContactError, Resolution};
+use archard_rail::Part;
+use archard_rail::contact::{Bodies, ContactError, FlangeWear, Resolution};
 use archard_rail::curve::Curve;
 use archard_rail::flange::{self, Flange};
 use archard_rail::search::Onset;
@@ -52,6 +53,8 @@ pub struct Rolled<S: 'static> {
     pub profile: Chosen<S>,
     /// How it wears; `None` if it does not.
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    /// How it wears where the flange of the wheel touches, if otherwise.
+    pub flange_wear: Option<Chosen<Box<dyn WearLaw>>>,
     /// How it cracks; `None` where nobody asks for it.
     pub cracks: Option<Chosen<Cracks>>,
 }
@@ -168,23 +171,28 @@ impl WheelRailCase {
         let samples = (0..groups).map(sample).collect::<Result<_, _>>()?;
         let hardness = [self.wheel.hardness, self.rail.hardness].into_iter().flatten();
         let hardness = hardness.min_by(f64::total_cmp);
-        let law = |wear: &Option<Chosen<Box<dyn WearLaw>>>, name: &str| match wear {
+        let law = |wear: &Option<Chosen<Box<dyn WearLaw>>>, [name, table]: [&str; 2]| match wear {
             None => Ok(None),
             Some(law) => {
-                let key = Key::of(["body", name, "wear", law.choice.name]);
-                Ok(Some(Arc::from(law.build().map_err(at(key))?)))
+                let key = Key::of(["body", name, table, law.choice.name]);
+                Ok::<_, Problem>(Some(Arc::from(law.build().map_err(at(key))?)))
             }
         };
+        let Self { wheel: own, rail: other, .. } = self;
+        let flange_wear = [
+            law(&own.flange_wear, [&own.name, "flange_wear"])?,
+            law(&other.flange_wear, [&other.name, "flange_wear"])?,
+        ];
+        self.hold_zones(&running)?;
+        let flange_wear = running.flange_from.map(|from| FlangeWear { from, wear: flange_wear });
         let bodies = Bodies {
             wheel: self.wheel.material,
             rail: self.rail.material,
             friction: friction.into(),
             flange: None,
             shear_yield: verdict::shear_yield(hardness.unwrap_or(verdict::RAIL_STEEL)),
-            wear: [
-                law(&self.wheel.wear, &self.wheel.name)?,
-                law(&self.rail.wear, &self.rail.name)?,
-            ],
+            wear: [law(&own.wear, [&own.name, "wear"])?, law(&other.wear, [&other.name, "wear"])?],
+            flange_wear: flange_wear.filter(|flange| flange.wear.iter().any(Option::is_some)),
         };
         let mut resolution = Resolution { join: running.join, ..Resolution::default() };
         resolution.elements = self.elements.unwrap_or(resolution.elements);
@@ -195,7 +203,16 @@ impl WheelRailCase {
             .map_err(at(Key::of(["reprofiling"])))?;
         let last = turning.map_or(wheel.radius, |turning| turning.last_radius);
         let planned = limits::limits(&self.until, last);
+        let flange = Flange::of(setup.wheel(), setup.wheelset().flange_back_position);
+        let least = planned.iter().find(|limit| limit.column == "flange_thickness_m");
+        let thicknesses = reprofiling::thicknesses(
+            &self.reprofiling,
+            flange.map(|flange| flange.thickness),
+            least.map(|limit| limit.value),
+        );
+        let thicknesses = thicknesses.map_err(at(Key::of(["reprofiling"])))?;
         let prepared = Prepared {
+            thicknesses,
             planned,
             setup,
             samples,
@@ -210,6 +227,14 @@ impl WheelRailCase {
         };
         self.hold(&prepared)?;
         Ok(prepared)
+    }
+
+    /// The curve (m) of a profile of the wheel that was measured after wear; unit and axes of columns are those of the new one.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub fn worn_wheel(&self, name: &str, bytes: &[u8]) -> Result<Curve, Invalid> {
+        shape::other(&self.wheel.profile.values, Part::Wheel, (name, bytes))
     }
 
     /// How wheel and rail crack.
@@ -321,14 +346,40 @@ impl WheelRailCase {
                     format!("{meaning}, since `{name}` wears"),
                 ));
             }
-            let kept = |input: &Input| {
-                matches!(input, Input::Distance | Input::Depth | Input::Temperature)
-            };
-            if law.inputs().iter().any(kept) {
-                let message = "the law asks for the distance slid before, the depth worn before or the temperature, which are not kept \
-                               along a profile";
-                return Err(Problem::error(wear, message));
+            hold_law(&**law, wear)?;
+        }
+        let on_the_flange = prepared.bodies.flange_wear.iter().flat_map(|flange| &flange.wear);
+        for (law, name) in on_the_flange.zip(names) {
+            let Some(law) = law else { continue };
+            hold_law(&**law, Key::of(["body", name, "flange_wear"]))?;
+        }
+        Ok(())
+    }
+
+    /// Refuses a flange that has something of its own and begins nowhere, one that has nothing, and one that wears on a body that does not.
+    fn hold_zones(&self, running: &Running) -> Result<(), Problem> {
+        let own = [
+            (&self.wheel.name, &self.wheel.wear, &self.wheel.flange_wear),
+            (&self.rail.name, &self.rail.wear, &self.rail.flange_wear),
+        ];
+        let from = Key::of(["motion", "wheel_rail", "flange_from"]);
+        let mut wears = false;
+        for (name, wear, on_the_flange) in own {
+            let Some(law) = on_the_flange else { continue };
+            wears = true;
+            let key = Key::of(["body", name, "flange_wear", law.choice.name]);
+            if wear.is_none() {
+                let message = format!("`{name}` has no `wear`, by which all but the flange wears");
+                return Err(Problem::error(key, message));
             }
+            if running.flange_from.is_none() {
+                let message = "y on the profile of the wheel where the flange begins, which has a wear law of its own";
+                return Err(Problem::missing(from, message.to_owned()));
+            }
+        }
+        if running.flange_from.is_some() && !running.lubricated && !wears {
+            let message = "counts for nothing: the flange has neither `flange_friction` nor a `flange_wear` of its own";
+            return Err(Problem::error(from, message));
         }
         Ok(())
     }
@@ -419,4 +470,13 @@ pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
             (WheelRailForecast::default(), problems)
         }
     }
+}
+
+/// Refuses a law that asks for what is not known of wheels on rails.
+fn hold_law(law: &dyn WearLaw, key: Key) -> Result<(), Problem> {
+    if law.inputs().contains(&Input::Temperature) {
+        let message = "the law asks for the temperature, which is not computed of wheels on rails: take one of pressure, speed or work";
+        return Err(Problem::error(key, message));
+    }
+    Ok(())
 }

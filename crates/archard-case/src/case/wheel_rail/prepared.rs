@@ -10,7 +10,8 @@ use archard_rail::flange;
 use archard_rail::gather::{self, Gathered};
 use archard_rail::setup::{Setup, Side};
 use archard_rail::wear::{
-    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Turning, Worn, error_of,
+    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Thicknesses, Travelled, Turning,
+    Worn, error_of,
 };
 use rayon::prelude::*;
 
@@ -18,7 +19,8 @@ use super::RailError;
 use super::forecast::AMPLITUDE;
 use super::running::{Columns, Running, State, title};
 use crate::output::{
-    AtPoint, Flank, RailContact, RailHistory, RailLife as Life, RailPlan, RailResults, RailWear,
+    AtPoint, Flank, RailContact, RailEconomy, RailHistory, RailLife as Life, RailPlan, RailResults,
+    RailWear,
 };
 
 /// A wheel over its rail, ready to be pressed on in any state.
@@ -37,6 +39,8 @@ pub struct Prepared {
     pub(super) cracks: [Option<Cracks>; 2],
     /// Limits that a wheel has which is turned again: those of its last radius.
     pub(super) planned: Vec<Limit>,
+    /// Thicknesses of flanges that it is turned to; `None` where that is always the whole flange.
+    pub(super) thicknesses: Option<Thicknesses>,
     /// How the wheel is turned again.
     pub(super) turning: Option<Turning>,
     /// How the case has the wheelset stand and run.
@@ -77,11 +81,8 @@ impl Prepared {
         kept: Kept,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
-        if let Some(within) = self.running.within {
-            let (route, history) = self.gathered(within)?;
-            let running = Running { route, within: None, ..self.running.clone() };
-            let results = Self { running, ..self.clone() }.go_on(kept, watch)?;
-            return Ok(RailResults { history: Some(history), ..results });
+        if let Some((route, history)) = self.on_a_route()? {
+            return Ok(RailResults { history: Some(history), ..route.go_on(kept, watch)? });
         }
         if self.wears() == [false; 2] {
             return Ok(self.results(self.all(None)?, None));
@@ -107,7 +108,16 @@ impl Prepared {
         let plans = self.turning.iter().flat_map(|turning| {
             RailPlan::of(turning, &self.planned, &self.running.sides, &travelled)
         });
+        let economies = self.turning.zip(self.thicknesses).map(|(turning, thicknesses)| {
+            RailEconomy::of(
+                (&turning, &thicknesses),
+                &self.planned,
+                &self.running.sides,
+                &travelled,
+            )
+        });
         let wear = RailWear {
+            economies: economies.unwrap_or_default(),
             plans: plans.collect(),
             lives,
             extent: [journey.route.distance, journey.route.axles],
@@ -123,6 +133,28 @@ impl Prepared {
     fn results(&self, contacts: Vec<RailContact>, wear: Option<RailWear>) -> RailResults {
         let (flank, hardness) = (self.flank(), self.hardness);
         RailResults { contacts, flank, hardness, wear, history: None }
+    }
+
+    /// The same over the route that stands for the steps of its history, and what that loses; `None` without a history.
+    ///
+    /// # Errors
+    /// If a contact cannot be found.
+    pub fn on_a_route(&self) -> Result<Option<(Self, RailHistory)>, RailError> {
+        let Some(within) = self.running.within else { return Ok(None) };
+        let (route, history) = self.gathered(within)?;
+        let running = Running { route, within: None, ..self.running.clone() };
+        Ok(Some((Self { running, ..self.clone() }, history)))
+    }
+
+    /// The wear over the route alone; `watch` is shown each step and may stop it.
+    ///
+    /// # Errors
+    /// If nothing wears, or the route cannot be gone through.
+    pub fn travel(
+        &self,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<Travelled, RailError> {
+        Ok(self.journey()?.travel(watch)?)
     }
 
     /// The route that stands for the steps of a history, and what it loses.
@@ -154,7 +186,28 @@ impl Prepared {
         }
         let names = route.iter().map(|(name, _)| title(name));
         let rows = names.zip(route.iter().map(|(_, values)| values.clone())).collect();
-        Ok((route, RailHistory { steps: steps.len(), loss, rows }))
+        let climb = self.climb()?;
+        Ok((route, RailHistory { steps: steps.len(), loss, climb, rows }))
+    }
+
+    /// The largest lateral over vertical force of a wheel at a step of a history, relative to Nadal's limit there; `None` where the history
+    /// has no lateral forces.
+    fn climb(&self) -> Result<Option<f64>, Invalid> {
+        let Some(flank) = self.flank() else { return Ok(None) };
+        let mut most = None;
+        for state in self.running.states()? {
+            let point = state.point(self.setup.wheelset(), &self.bodies.friction)?;
+            let bodies = point.between(&self.bodies);
+            let pressure = bodies.shear_yield;
+            let friction = bodies.friction_at(flank.y).limit(pressure) / pressure;
+            for (lateral, sign) in state.lateral_forces.into_iter().zip([1.0, -1.0]) {
+                let vertical = point.load + sign * point.transfer;
+                let over = lateral.zip(flank.nadal(friction));
+                let over = over.map(|(lateral, limit)| lateral / vertical / limit);
+                most = over.into_iter().chain(most).reduce(f64::max);
+            }
+        }
+        Ok(most)
     }
 
     /// The steepest place of the flange, between its tip and the tread.
@@ -232,7 +285,8 @@ impl Prepared {
             let nadal = flank.zip(peak).and_then(|(flank, peak)| {
                 flank.nadal(bodies.friction_at(flank.y).limit(peak) / peak)
             });
-            Ok(RailContact { at, side: *side, load: own.load, nadal, patches })
+            let told = state.lateral_forces[usize::from(*side == Side::Left)];
+            Ok(RailContact { at, side: *side, load: own.load, nadal, told, patches })
         };
         self.running.sides.iter().zip(setups).map(solve).collect()
     }
@@ -275,6 +329,7 @@ impl Prepared {
             resolution: self.resolution,
             tolerance: self.running.tolerance,
             smoothing: self.running.wear_smoothing,
+            thinnings: self.thicknesses.map(|own| own.changes()).unwrap_or_default(),
             amplitude: self.weaves().then_some(AMPLITUDE),
         }
         .checked()

@@ -44,7 +44,7 @@ fn print_values(
 }
 
 pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
-    let Rolled { name, material, hardness, profile, wear, cracks } = body;
+    let Rolled { name, material, hardness, profile, wear, flange_wear, cracks } = body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
@@ -54,6 +54,9 @@ pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) ->
     print_chosen(f, &format!("{key}.profile"), profile)?;
     if let Some(wear) = wear {
         print_chosen(f, &format!("{key}.wear"), wear)?;
+    }
+    if let Some(wear) = flange_wear {
+        print_chosen(f, &format!("{key}.flange_wear"), wear)?;
     }
     if let Some(cracks) = cracks {
         print_chosen(f, &format!("{key}.cracks"), cracks)?;

@@ -29,6 +29,10 @@ pub struct Running {
     pub gauge: [f64; 2],
     /// Distance (m) between the backs of the wheels, and y (m) of the back on a profile.
     pub flange_back: [f64; 2],
+    /// y (m) on the profile of the wheel where the flange begins that has friction or wear of its own.
+    pub flange_from: Option<f64>,
+    /// Whether the friction on the flange is its own.
+    pub lubricated: bool,
     /// How it stands and runs.
     pub state: State,
     /// Distance (m) up to which overlaps are one patch.
@@ -60,6 +64,9 @@ pub struct State {
     pub centre_height: f64,
     /// Creepage, lateral creepage and spin (1/m) of the right and of the left wheel where they are prescribed, as their sides see them.
     pub creepages: [[Option<f64>; 3]; 2],
+    /// Lateral force (N) of the right and of the left wheel on its rail, positive to the field side, where another program has found it:
+    /// what is computed is held against it.
+    pub lateral_forces: [Option<f64>; 2],
     /// Shift and yaw, and the roll where it is given.
     pub attitude: Attitude,
     /// Whether the roll is given.
@@ -107,7 +114,11 @@ pub(super) const COLUMNS: &[(&str, Quantity)] = &[
     ("creepage_left", Quantity::Number),
     ("lateral_creepage_left", Quantity::Number),
     ("spin_left", Quantity::Curvature),
+    (LATERAL_FORCES[0], Quantity::Force),
+    (LATERAL_FORCES[1], Quantity::Force),
 ];
+/// The columns of lateral forces of the right and of the left wheel, as another program has found them.
+pub(super) const LATERAL_FORCES: [&str; 2] = ["lateral_force_right", "lateral_force_left"];
 /// The title of a column of a route, with its SI unit.
 pub(super) fn title(name: &str) -> String {
     let known = COLUMNS.iter().find(|(known, _)| *known == name);
@@ -167,6 +178,10 @@ impl State {
             _ => {
                 if let Some([side, at]) = creepage(name) {
                     self.creepages[side][at] = Some(value);
+                    return Ok(());
+                }
+                if let Some(side) = LATERAL_FORCES.iter().position(|own| *own == name) {
+                    self.lateral_forces[side] = Some(value);
                     return Ok(());
                 }
                 let known = COLUMNS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
@@ -333,14 +348,17 @@ fn build(values: &Values) -> Result<Running, Invalid> {
     if values.number("pitch_rate").is_some() && values.number("axle_moment").is_some() {
         return Err(Invalid::exclusive("axle_moment", "pitch_rate", "keep one"));
     }
-    let on_the_flange = values.number("flange_friction").is_some()
+    let lubricated = values.number("flange_friction").is_some()
         || route.iter().any(|(name, _)| name == "flange_friction");
-    if on_the_flange != values.number("flange_from").is_some() {
-        let message = "`flange_friction` and `flange_from`, where it begins, count together";
+    let flange_from = values.number("flange_from");
+    if lubricated && flange_from.is_none() {
+        let message = "is missing: `flange_friction` counts from there on";
         return Err(Invalid::new("flange_from", message));
     }
     let running = Running {
         sides,
+        flange_from,
+        lubricated,
         gauge: [or("gauge", standard.gauge), or("gauge_height", standard.gauge_height)],
         flange_back: [or("flange_back", 1.36), or("flange_back_position", -0.07)],
         state: State {
@@ -349,6 +367,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             superelevation: or("superelevation", 0.0),
             centre_height: or("centre_height", 0.0),
             creepages: [[None; 3]; 2],
+            lateral_forces: [None; 2],
             attitude: attitude.checked()?,
             rolls: values.number("roll").is_some(),
             velocity,
@@ -357,7 +376,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             curvature: or("curvature", 0.0),
             friction: None,
             flange_friction: values.number("flange_friction"),
-            flange_from: or("flange_from", 0.0),
+            flange_from: flange_from.unwrap_or_default(),
             share: 1.0,
         },
         join: or("join", search::JOIN),

@@ -129,6 +129,17 @@ fn shape(
     Ok(Shape { curve, samples, findings, format })
 }
 
+/// The curve of another profile, as it is measured after wear, with the keys of one.
+pub(super) fn other(
+    values: &Values,
+    part: Part,
+    (name, bytes): (&str, &[u8]),
+) -> Result<Curve, Invalid> {
+    let (profile, ..) = file(values, part, (name, bytes))?;
+    let smoothing = values.number("smoothing").map_or(Smoothing::NONE, Smoothing::wavelength);
+    profile.curve(smoothing).map_err(|error| of(error, "file"))
+}
+
 /// The profile in a file, and what looks wrong in it.
 fn file(
     values: &Values,

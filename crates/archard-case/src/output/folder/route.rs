@@ -14,7 +14,7 @@ use super::claim::Claim;
 use crate::output::{CASE, Error};
 
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " route 1\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " route 2\n");
 
 /// Keeps a route in its folder.
 #[derive(Debug)]
