@@ -12,7 +12,7 @@ use crate::common::{case, states};
 /// A mesh around the zone in place of the frame.
 const MESHED: [&str; 4] = [
     "body.block.elasticity=boundary_elements",
-    r#"body.block.mesh.box.contact={ face = "top", size = ["0.2 m", "0.2 m"], elements = [14, 14] }"#,
+    r#"body.block.mesh.box.contact={ face = "top", size = ["0.2 m", "0.2 m"], elements = [10, 10] }"#,
     r#"body.block.symmetry=["x", "y"]"#,
     "frame=",
 ];
