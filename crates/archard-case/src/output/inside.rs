@@ -121,7 +121,7 @@ impl Inside {
             || self.stresses[which].is_some()
     }
 
-    /// Writes `points.csv`, a row a point, and a file a section in `sections`; for every meshed body with points or sections also
+    /// Writes `points.csv`, a row a point, and a file a section in `sections`; for every body of finite shape with points or sections also
     /// the fields on its surface, `surface_1.vtu` or `surface_2.vtu`. Without a store the equations of these bodies are made and
     /// solved once more. Of half-spaces and image fields whose largest stresses are asked for, `stress_BODY.csv` and `stress_BODY.vtr`; these
     /// stresses are returned.
@@ -154,6 +154,12 @@ impl Inside {
                 }
                 let sections: Vec<_> = sections.iter().map(|one| pressed.section(one)).collect();
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
+                let asked = !points.is_empty() || !sections.is_empty();
+                if let Some(deformed) = asked.then(|| pressed.on_surface()).flatten() {
+                    let surface = Surface::of_elastic(&deformed);
+                    let surface = if which == 1 { surface.turned_over() } else { surface };
+                    surface.write(&manifest.claim(SURFACES[which])?)?;
+                }
                 let places = points.iter().map(|point| point.place);
                 let places = places.chain(sections.iter().flat_map(|one| one.places.clone()));
                 stresses.missed(body, pressed.missed(&places.collect::<Vec<_>>()));

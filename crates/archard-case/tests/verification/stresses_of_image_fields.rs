@@ -1,10 +1,11 @@
 //! Stresses inside bodies that are half-spaces with image fields.
 
 use archard::body::Body;
-use archard::elastic::{Deformed, Point, Pressed, Response, von_mises};
+use archard::elastic::{Deformed, Point, Pressed, Response, Section, von_mises};
 use archard::frame::VectorField;
 use archard::simulation::{Simulation, offsets};
 use archard::stress::MEASURES;
+use archard_case::output::{Inside, Sheet, Surface};
 
 use super::meshed_contact::{PUNCHED, input};
 use crate::common::{case, states};
@@ -117,6 +118,35 @@ fn stresses_on_a_cut_balance_load_and_friction() {
     }
 }
 
+/// The files are those of other bodies of finite shape: body 2 lies above the plane of contact.
+#[test]
+fn places_sections_and_the_surface_are_put_out() {
+    let simulation = case(PUNCHED, &["frame.elements=[32, 32]"]);
+    let point = Point { name: "below".to_owned(), place: [0.0, 0.0, -0.1] };
+    let section = Section {
+        name: "low".to_owned(),
+        through: [0.0, 0.0, -0.5],
+        normal: [0.0, 0.0, 1.0],
+        spacing: 0.25,
+        size: None,
+    };
+    let mut inside = Inside::at([vec![], vec![point]]).on([vec![], vec![section]]);
+    simulation.run(&mut [&mut inside]).unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    inside.write(dir.path(), &simulation.problem).unwrap();
+    let table = std::fs::read_to_string(dir.path().join("points.csv")).unwrap();
+    assert!(table.lines().nth(1).unwrap().starts_with("block,below,0,0,-0.1,0.1,"), "{table}");
+    let sheet = Sheet::read(&dir.path().join("sections/block_low.vtu")).unwrap();
+    assert_eq!((sheet.points.len(), sheet.cells.len()), (25, 16));
+    assert!(sheet.points.iter().all(|place| (place[2] - 0.5).abs() < 1e-9));
+    let surface = Surface::read(&dir.path().join("surface_2.vtu")).unwrap();
+    let stress = surface.field("stress_zz_Pa").unwrap();
+    assert!(stress.iter().all(|own| own.is_finite()));
+    let [low, high] = [f64::min, f64::max]
+        .map(|pick| surface.places.iter().map(|place| place[2]).fold(0.5, pick));
+    assert!(low.abs() < 1e-9 && high > 0.9, "{low} {high}");
+}
+
 /// What is free of tractions has none, at the top beside the zone and at a side; and planes of the largest stresses have what places
 /// have.
 #[test]
@@ -138,6 +168,13 @@ fn free_faces_and_planes_have_the_stresses_of_places() {
     for (own, (name, _)) in maxima.inside.iter().zip(MEASURES) {
         assert!(own.error > 0.0 && own.error < 0.03 * own.value, "{name}: {own:?}");
     }
+    // The whole surface has the load where it is clamped.
+    let load = simulation.problem.frame.force(&last(&simulation))[2];
+    let surface = block.on_surface().unwrap();
+    let bottom = surface.surface.names().iter().position(|name| name == "bottom").unwrap();
+    let held = surface.forces()[bottom][2];
+    assert!((held / load + 1.0).abs() < 0.1, "{held} {load}");
+    assert!(surface.displacement.len() == surface.traction.len() && surface.worn.is_empty());
     assert!(block.at([0.6, 0.0, -0.3]).is_none() && block.at([0.0, 0.0, -1.1]).is_none());
     assert!(block.check(&[0.9]).is_ok() && block.check(&[1.1]).is_err());
 }

@@ -205,7 +205,7 @@ impl Pressed {
 
     /// Displacement and stress on a section; places where they are not known are left out.
     pub fn section(&self, section: &Section) -> Sampled {
-        let corners = self.ends.as_ref().map(|ends| ends.corners());
+        let corners = self.ends.as_ref().map(|ends| ends.surface().corners());
         let at = |place: DVec3| self.at(section.below_zero(place)?.to_array());
         section.responses(corners.as_deref(), at)
     }

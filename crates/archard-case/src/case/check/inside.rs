@@ -143,7 +143,9 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             return vec![Problem::error(key.child("fatemi_socie"), message).at_name()];
         }
     }
-    let above = points.iter().filter(|point| point.place[2] > 0.0).map(|point| {
+    // Where a body ends, its surface says what lies in it.
+    let endless = body.finite.is_none();
+    let above = points.iter().filter(|point| endless && point.place[2] > 0.0).map(|point| {
         let message =
             "lies above the surface of the half-space: z is zero there, and negative in it";
         Problem::error(key("points").child(&point.name), message)
@@ -156,9 +158,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
         );
         Problem::error(key("points").child(&point.name), message)
     });
-    // Where a body ends, its surface says what lies in it.
-    let endless = sections.iter().filter(|_| body.finite.is_none());
-    let lost = endless.filter_map(|section| {
+    let lost = sections.iter().filter(|_| endless).filter_map(|section| {
         let cause = section.check_half_space().err()?;
         let key = key("sections").child(&section.name).child(cause.parameter());
         Some(Problem::error(key, cause.to_string()))

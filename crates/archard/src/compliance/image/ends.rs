@@ -101,9 +101,9 @@ impl Ends {
         self.surface.depth(place.into())
     }
 
-    /// The corners of the body's elements (m).
-    pub fn corners(&self) -> Vec<DVec3> {
-        self.surface.corners()
+    /// The elements of the body, those that are not halved.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
     }
 
     /// Displacement and stress that they add at a place (m); `None` outside of the body.
