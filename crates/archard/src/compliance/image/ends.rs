@@ -25,7 +25,7 @@ use crate::stress::Components;
 /// The field inside a body, by what finds it.
 #[derive(Debug)]
 pub(super) enum Inside {
-    Surface(Interior<'static>),
+    Surface(Box<Interior<'static>>),
     Volume(fem::Inside),
 }
 
@@ -186,7 +186,7 @@ impl Ends {
 fn depth_below(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle) -> f64 {
     let near = SAME * mesh.extent();
     let depth = |face: usize| {
-        let [low, high] = mesh.bounds([face].into_iter());
+        let [low, high] = mesh.bounds([face]);
         let below = (0..2).all(|axis| {
             let [from, to] =
                 [-0.5, 0.5].map(|share| rectangle.centre[axis] + share * rectangle.size[axis]);

@@ -203,7 +203,7 @@ impl One {
             Engine::Surface(fine) => {
                 let mesh = if halved { fine } else { &self.finite.meshed.mesh };
                 let found = self.imaged(mesh).inside(polynomials, loads);
-                found.map(Inside::Surface).map_err(|cause| self.failed(cause))
+                found.map(Box::new).map(Inside::Surface).map_err(|cause| self.failed(cause))
             }
             Engine::Volume(volume, solid) => {
                 Ok(Inside::Volume(self.solid(volume, solid)?.inside(polynomials, loads)))
