@@ -32,7 +32,7 @@ use std::thread;
 
 use archard::elastic::{self, Point, Pressed, Response};
 use archard::frame::{ContactFrame, VectorField};
-use archard::simulation::{Observer, Report};
+use archard::simulation::{Observer, Report, offsets};
 use archard::units::{self, Dimension, Measure};
 use archard_case::output::{RailWear, Store, contact_row};
 use archard_case::{CaseFile, Task};
@@ -194,7 +194,9 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
     for which in 0..2 {
         let bodies = problem.bodies.each_ref();
         let Some((frame, tractions)) = &last.0 else { continue };
-        if let Some(pressed) = Pressed::in_contact(bodies, which, frame, tractions) {
+        let placed = (which, offsets(&problem.bodies, &problem.motion));
+        let pressed = Pressed::with_ends(bodies, placed, frame, tractions);
+        if let Some(pressed) = pressed.map_err(|error| error.to_string())? {
             let wanted = &resolved.case.points[which];
             let found = pressed.both_sides(wanted).map_err(|error| error.to_string())?;
             points.extend(named(&found.0, &found.1));

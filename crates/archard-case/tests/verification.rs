@@ -52,6 +52,7 @@ mod verification {
     mod standards;
     mod step_by_error;
     mod stresses_of_half_spaces;
+    mod stresses_of_image_fields;
     mod stresses_under_contact;
     mod superelement;
     mod swinging;

@@ -10,6 +10,7 @@ mod half_space;
 mod interfaces;
 mod maxima;
 mod section;
+mod surface;
 
 pub use fatigue::{Criterion, Cycle};
 pub use half_space::{Pressed, tensor};

@@ -322,7 +322,7 @@ fn file(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
     })?;
     // A resolved case is stored elsewhere and must still find the file.
     let path = std::path::absolute(&path).unwrap_or(path);
-    Ok((Value::File { name: name.clone(), bytes }, Some(path)))
+    Ok((Value::File { name: name.clone(), bytes: bytes.into() }, Some(path)))
 }
 
 /// A formula with the columns of the files that it names in quotes.

@@ -5,6 +5,7 @@ use super::cam::{CamCase, CamForecast};
 use super::check::Forecast;
 use super::check::pace::Pace;
 use super::check::runtime::Runtime;
+use super::check::within::Within;
 use super::definition::Case;
 use super::elastic::{ElasticCase, ElasticForecast};
 use super::gear::{GearCase, GearForecast};
@@ -96,10 +97,13 @@ impl Resolved {
         let beside: String =
             self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
         let pace = Pace::of(self.forecast.operations);
-        let pace = pace.map_or_else(String::new, |pace| pace.to_string());
         let time = Runtime::of(&self.case, &self.forecast);
+        let meshes = pace.as_ref().and_then(|pace| Within::of_meshes(&self.case, pace));
+        let frame = || Within::of_frame(&self.case, &self.forecast, time.as_ref()?);
+        let within = meshes.or_else(frame).map_or_else(String::new, |within| within.to_string());
+        let pace = pace.map_or_else(String::new, |pace| pace.to_string());
         let time = time.map_or_else(String::new, |time| time.to_string());
-        let mut text = format!("# What to expect\n\n{}{pace}{time}{beside}", self.forecast);
+        let mut text = format!("# What to expect\n\n{}{pace}{time}{within}{beside}", self.forecast);
         match self.refined() {
             Some(refined) => text += &refined.to_string(),
             None if self.chose.size => text += "\nThe size of the frame was chosen.\n",

@@ -17,7 +17,7 @@ use archard::frame::{ContactFrame, VectorField};
 use archard::motion::Shift;
 use archard::numerics::SAME;
 use archard::problem::ContactProblem;
-use archard::simulation::{Observer, Report};
+use archard::simulation::{Observer, Report, offsets};
 
 /// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2, where they lie in contact.
 pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
@@ -121,9 +121,9 @@ impl Inside {
             || self.stresses[which].is_some()
     }
 
-    /// Writes `points.csv`, a row a point, and a file a section in `sections`; for every meshed body with points or sections also
+    /// Writes `points.csv`, a row a point, and a file a section in `sections`; for every body of finite shape with points or sections also
     /// the fields on its surface, `surface_1.vtu` or `surface_2.vtu`. Without a store the equations of these bodies are made and
-    /// solved once more. Of half-spaces whose largest stresses are asked for, `stress_BODY.csv` and `stress_BODY.vtr`; these
+    /// solved once more. Of half-spaces and image fields whose largest stresses are asked for, `stress_BODY.csv` and `stress_BODY.vtr`; these
     /// stresses are returned.
     ///
     /// # Errors
@@ -143,13 +143,26 @@ impl Inside {
             let failed = |cause| InsideError::Body { body: body.clone(), cause };
             let first = [("body", body.clone())];
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
-            if let Some(pressed) = self.pressed(bodies, which, frame, tractions) {
+            let placed = (which, offsets(&problem.bodies, &problem.motion));
+            let pressed = Pressed::with_ends(bodies, placed, frame, tractions).map_err(failed)?;
+            if let Some(pressed) = pressed.map(|pressed| self.repeated(pressed)) {
                 let (points, found) = pressed.both_sides(points).map_err(failed)?;
                 if let Some(table) = &mut table {
-                    write_points(table, &first, (&points, &found), |place| Some(-place[2]))?;
+                    write_points(table, &first, (&points, &found), |place| {
+                        pressed.depth_of(place)
+                    })?;
                 }
                 let sections: Vec<_> = sections.iter().map(|one| pressed.section(one)).collect();
                 write_sections(&mut manifest, &prefix(body), &sections, which == 1)?;
+                let asked = !points.is_empty() || !sections.is_empty();
+                if let Some(deformed) = asked.then(|| pressed.on_surface()).flatten() {
+                    let surface = Surface::of_elastic(&deformed);
+                    let surface = if which == 1 { surface.turned_over() } else { surface };
+                    surface.write(&manifest.claim(SURFACES[which])?)?;
+                }
+                let places = points.iter().map(|point| point.place);
+                let places = places.chain(sections.iter().flat_map(|one| one.places.clone()));
+                stresses.missed(body, pressed.missed(&places.collect::<Vec<_>>()));
                 if let Some(wanted) = &self.stresses[which] {
                     pressed.check(&wanted.depths).map_err(failed)?;
                     let passing = match problem.motion.increments() {
@@ -189,16 +202,9 @@ impl Inside {
         Ok(stresses)
     }
 
-    /// A half-space under tractions; `None` of another body.
-    fn pressed(
-        &self,
-        bodies: [&Body; 2],
-        which: usize,
-        frame: &ContactFrame,
-        tractions: &VectorField,
-    ) -> Option<Pressed> {
-        let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
-        Some(if self.repeats { pressed.repeated() } else { pressed })
+    /// The same where tractions repeat themselves with the frame, if they do.
+    fn repeated(&self, pressed: Pressed) -> Pressed {
+        if self.repeats { pressed.repeated() } else { pressed }
     }
 
     /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
@@ -216,7 +222,10 @@ impl Inside {
         };
         let whole = self.cycle.len() == shift.places.len() && seen.into_iter().all(same);
         let instants = self.cycle.iter();
-        let instants = instants.map(|(_, tractions)| self.pressed(bodies, which, frame, tractions));
+        let instants = instants.map(|(_, tractions)| {
+            let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
+            Some(self.repeated(pressed))
+        });
         whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
     }
 

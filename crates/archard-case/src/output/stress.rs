@@ -116,6 +116,13 @@ impl Stresses {
         self.lines.extend(lines);
     }
 
+    /// What is off by its ends, over the largest equivalent stress (Pa) at the places asked for, both in that order.
+    pub(super) fn missed(&mut self, body: &str, known: Option<[f64; 2]>) {
+        let of = format!("equivalent stress at places in `{body}`, by its ends");
+        let stated = known.filter(|[_, largest]| *largest > 0.0);
+        self.lines.extend(stated.map(|[error, largest]| verdict::measured(error / largest, &of)));
+    }
+
     /// As a block of the summary; null without any.
     pub(super) fn json(&self) -> Value {
         if self.blocks.is_empty() { Value::Null } else { Value::Object(self.blocks.clone()) }

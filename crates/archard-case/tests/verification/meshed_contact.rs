@@ -45,7 +45,7 @@ fn a_block_becomes_a_half_space_as_it_grows() {
 }
 
 /// A punch pressed into a block of steel with an image field, clamped at its bottom.
-const PUNCHED: &str = r#"
+pub const PUNCHED: &str = r#"
 [body.punch]
 rigid = true
 profile.power = { coefficient = "0.005 1/m", exponent = 2 }
@@ -85,7 +85,7 @@ fn loads_of_punched_blocks_are_those_of_fine_meshes() {
 }
 
 /// The input of a block of that size (m) below z = 0, in cubes each divided in six tetrahedra; its bottom is a set of nodes.
-fn input([x, y, z]: [f64; 3], [nx, ny, nz]: [usize; 3]) -> String {
+pub fn input([x, y, z]: [f64; 3], [nx, ny, nz]: [usize; 3]) -> String {
     use std::fmt::Write;
     let index = |[i, j, k]: [usize; 3]| 1 + i + (nx + 1) * (j + (ny + 1) * k);
     let mut text = "*NODE\n".to_owned();

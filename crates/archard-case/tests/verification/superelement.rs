@@ -54,11 +54,12 @@ fn cube(across: usize, growth: f64) -> String {
     quadratic(count, places.clone(), |a, b| 0.5 * (a + b), &sets)
 }
 
-/// The flexibility of a body in that input at the nodes of its zone by finite elements, in Matrix Market.
-fn flexibility(text: &str) -> String {
+/// The flexibility of a body in that input at the nodes of its zone by finite elements, in Matrix Market: by rising numbers of nodes, or
+/// by falling ones. And these nodes in a table, numbered anew.
+fn flexibility(text: &str, falling: bool) -> [String; 2] {
     let mut values = Values::default();
     let bytes = text.as_bytes().to_vec();
-    values.insert("path", Value::File { bytes, name: "cube.inp".to_owned() });
+    values.insert("path", Value::File { bytes: bytes.into(), name: "cube.inp".to_owned() });
     values.insert("contact", Value::Word("zone".to_owned()));
     let choice = MESHES.iter().find(|choice| choice.name == "file").unwrap();
     let shape: Box<dyn Shape> = (choice.build)(&values).unwrap();
@@ -69,16 +70,25 @@ fn flexibility(text: &str) -> String {
     let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.5], [0.0, 0.5]];
     for face in &meshed.zone.faces {
         for (node, place) in volume.faces[*face].iter().zip(places) {
-            nodes.insert(volume.numbers[*node], (*face, place));
+            nodes.insert(volume.numbers[*node], (*node, *face, place));
         }
     }
     // A force on a node is a traction at its place.
-    let pair = |(face, place): &(usize, [f64; 2])| {
+    let pair = |(_, face, place): &(usize, usize, [f64; 2])| {
         let mut pair = OnNodes::along(DVec3::AXES);
         pair.add((&volume, *face), *place, (1.0, DVec3::Z));
         pair.gathered()
     };
-    let pairs: Vec<OnNodes> = nodes.values().map(pair).collect();
+    let mut nodes: Vec<_> = nodes.into_values().collect();
+    if falling {
+        nodes.reverse();
+    }
+    let mut table = "node,x_mm,y_mm,z_mm\n".to_owned();
+    for (number, (node, ..)) in nodes.iter().enumerate() {
+        let [x, y, z] = volume.nodes[*node].map(|along| 1e3 * along);
+        writeln!(table, "{},{x},{y},{z}", number + 70_001).unwrap();
+    }
+    let pairs: Vec<OnNodes> = nodes.iter().map(pair).collect();
     let all: Vec<usize> = (0..pairs.len()).collect();
     let finite = Finite {
         meshed,
@@ -95,7 +105,7 @@ fn flexibility(text: &str) -> String {
     for column in all.chunks(64).flat_map(|some| carrier.columns(some)) {
         column.iter().for_each(|value| writeln!(text, "{value:.15e}").unwrap());
     }
-    text
+    [text, table]
 }
 
 /// The load (N) of the punch on a body of that file, and the share of its displacements that is said to be uncertain.
@@ -124,7 +134,7 @@ fn superelements_say_by_how_much_their_elements_are_off() {
         let text = cube(across, growth);
         std::fs::write(dir.path().join("cube.inp"), &text).unwrap();
         let matrix = dir.path().join("cube.mtx");
-        std::fs::write(&matrix, flexibility(&text)).unwrap();
+        std::fs::write(&matrix, &flexibility(&text, false)[0]).unwrap();
         let elements = "elasticity = \"finite_elements\"\nsupports.base = \"clamped\"";
         let [known, _] = punched(dir.path(), elements);
         let given =
@@ -134,4 +144,22 @@ fn superelements_say_by_how_much_their_elements_are_off() {
         let off = (load / LOAD - 1.0).abs();
         assert!(off < stated && stated < 6.0 * off, "{across} {growth}: {off} {stated}");
     }
+}
+
+/// Rows in another order than the mesh numbers its nodes are those of the places of a table.
+#[test]
+fn rows_of_a_matrix_are_those_of_the_places_given() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = cube(4, 2.0);
+    let [matrix, table] = ["cube.mtx", "nodes.csv"].map(|name| dir.path().join(name));
+    std::fs::write(dir.path().join("cube.inp"), &text).unwrap();
+    let given = format!("mesh.file.compliance = {matrix:?}\nmesh.file.compliance_unit = \"m/N\"");
+    std::fs::write(&matrix, &flexibility(&text, false)[0]).unwrap();
+    let [known, _] = punched(dir.path(), &given);
+    let [falling, places] = flexibility(&text, true);
+    std::fs::write(&matrix, falling).unwrap();
+    std::fs::write(&table, places).unwrap();
+    let placed = format!("{given}\nmesh.file.places = {table:?}");
+    let [load, _] = punched(dir.path(), &placed);
+    assert!((load / known - 1.0).abs() < 1e-9, "{load} {known}");
 }

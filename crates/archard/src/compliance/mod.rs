@@ -25,7 +25,7 @@ pub use bem::{Balance, Undetermined};
 pub use carried::Carried;
 pub use dense::Dense;
 pub use half_space::{HalfSpace, Periodic};
-pub use image::Image;
+pub use image::{Ends, Image};
 pub use mapped::Mapped;
 pub use slip::{Coarser, PairStatus, SlipMap};
 pub use worn_lines::WornLines;

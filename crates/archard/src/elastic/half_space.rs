@@ -1,11 +1,17 @@
-//! What the tractions of a contact make of the inside of a half-space.
+//! What the tractions of a contact make of the inside of a half-space, or of a body with an image field.
+
+use std::array;
+use std::sync::Arc;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
-use super::{ElasticError, Point, Response, Sampled, Section};
+use super::maxima::Of;
+use super::{ElasticError, Point, Response, Sampled, Section, von_mises};
 use crate::body::Body;
+use crate::compliance::Ends;
 use crate::compliance::half_space::inside::Below;
-use crate::frame::{ContactFrame, VectorField};
+use crate::frame::{ContactFrame, Rectangle, VectorField};
 use crate::numerics::SAME;
 use crate::stress::Components;
 
@@ -24,6 +30,8 @@ pub struct Pressed {
     sides: [[f64; 2]; 2],
     /// How deep (m) there is rigid ground.
     pub(super) ground: f64,
+    /// What the ends of the body add, where it has an image field.
+    pub(super) ends: Option<Arc<Ends>>,
 }
 
 impl Pressed {
@@ -41,9 +49,9 @@ impl Pressed {
                 "has a mesh that is not asked how it deforms: `elasticity = \"boundary_elements\"` is",
             );
         }
-        if body.has_image() {
+        if body.has_image() && !body.layers.is_empty() {
             return Some(
-                "has an image field, whose stresses are not computed: take `elasticity = \"boundary_elements\"`",
+                "has layers on a body of finite shape, whose stresses are not computed: leave one of both out",
             );
         }
         let meshed = |body: &Body| body.finite.is_some() && !body.has_image();
@@ -52,7 +60,7 @@ impl Pressed {
         )
     }
 
-    /// A body in contact, under tractions of the pairs (Pa) on body 1; `which` is its index, 0 or 1. `None` where it is no
+    /// A half-space in contact, under tractions of the pairs (Pa) on body 1; `which` is its index, 0 or 1. `None` where it is no
     /// half-space under a uniform frame.
     pub fn in_contact(
         bodies: [&Body; 2],
@@ -60,16 +68,39 @@ impl Pressed {
         frame: &ContactFrame,
         tractions: &VectorField,
     ) -> Option<Self> {
+        let image = bodies[which].has_image();
+        if image { None } else { Self::below(bodies, which, frame, &on_body(which, tractions)) }
+    }
+
+    /// The same of a body that may have an image field, and is moved under the contact by offsets (m).
+    ///
+    /// # Errors
+    /// If the equations of the image field have no solution.
+    pub fn with_ends(
+        bodies: [&Body; 2],
+        (which, offsets): (usize, [Rectangle; 2]),
+        frame: &ContactFrame,
+        tractions: &VectorField,
+    ) -> Result<Option<Self>, ElasticError> {
+        let own = on_body(which, tractions);
+        let Some(pressed) = Self::below(bodies, which, frame, &own) else { return Ok(None) };
+        let ends = Ends::new(bodies, (which, offsets), frame, &own)?.map(Arc::new);
+        Ok(Some(Self { ends, ..pressed }))
+    }
+
+    /// A half-space, whether its body ends somewhere or not, under tractions (Pa) on it.
+    fn below(
+        bodies: [&Body; 2],
+        which: usize,
+        frame: &ContactFrame,
+        own: &VectorField,
+    ) -> Option<Self> {
         if Self::refuses(bodies, which).is_some() {
             return None;
         }
-        // What friction does to body 1 it does to body 2 the other way; pressures press both.
-        let turned = |own: &[f64]| own.iter().map(|t| if which == 0 { *t } else { -t }).collect();
-        let [t1, t2] = [&tractions.t1, &tractions.t2].map(|own| turned(own));
-        let own = VectorField { t1, t2, n: tractions.n.clone() };
         let depth = Body::depths(bodies, frame.size()[0])[which];
         let body = bodies[which];
-        let below = Below::new(body.uppermost()?, frame, &own, depth)?;
+        let below = Below::new(body.uppermost()?, frame, own, depth)?;
         let below = below.layered(&body.layers, body.material.as_ref());
         let ground = if body.material.is_some() { f64::INFINITY } else { body.coated() };
         let mut sides = cut(frame, below.pressure());
@@ -77,7 +108,7 @@ impl Pressed {
             // Layers carry stresses of pressures beyond the frame farther than a half-space does.
             sides = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         }
-        Some(Self { below, sides, ground })
+        Some(Self { below, sides, ground, ends: None })
     }
 
     /// The same where tractions repeat themselves with the frame, whose elements are an even number or one along each axis: nothing is cut.
@@ -89,16 +120,27 @@ impl Pressed {
 
     /// The same in one of its layers, or below all of them: see [`Below::within`].
     pub(super) fn within(&self, piece: usize) -> Self {
-        Self { below: self.below.within(piece), ..*self }
+        let Self { sides, ground, .. } = *self;
+        Self { below: self.below.within(piece), ends: self.ends.clone(), sides, ground }
     }
 
-    /// Displacement and stress at a place (m); `None` above the surface, and where the stress depends on pressures beyond the
-    /// frame.
+    /// Displacement and stress at a place (m); `None` above the surface, outside of the body, and where the stress depends on
+    /// pressures beyond the frame.
     pub fn at(&self, place: [f64; 3]) -> Option<Response> {
-        (place[2] <= 0.0 && self.knows(place)).then(|| Response {
+        if place[2] > 0.0 || !self.reaches(place) {
+            return None;
+        }
+        let half_space = || Response {
             displacement: self.below.displacement(place),
             stress: tensor(self.below.stress(place)),
-        })
+        };
+        let Some(ends) = &self.ends else { return Some(half_space()) };
+        let added = Response::from(ends.at(place)?);
+        let Response { mut displacement, mut stress } = half_space();
+        displacement.iter_mut().zip(added.displacement).for_each(|(own, added)| *own += added);
+        let all = stress.as_flattened_mut().iter_mut().zip(added.stress.as_flattened());
+        all.for_each(|(own, added)| *own += added);
+        Some(Response { displacement, stress })
     }
 
     /// Displacement and stress below an interface of layers at a place (m), where [`at`](Self::at) has those above it; `None` where there
@@ -118,6 +160,9 @@ impl Pressed {
         let at = |point: &Point| {
             let wrong = || match point.place[2] > 0.0 {
                 true => ElasticError::Outside { point: point.clone() },
+                false if self.depth_of(point.place).is_none() => {
+                    ElasticError::Outside { point: point.clone() }
+                }
                 false if !self.is_solid(point.place) => {
                     ElasticError::Ground { point: point.clone() }
                 }
@@ -146,9 +191,65 @@ impl Pressed {
         Ok(each.unzip())
     }
 
+    /// How deep (m) a place (m) lies below the surface; `None` outside of a body that ends somewhere.
+    pub fn depth_of(&self, place: [f64; 3]) -> Option<f64> {
+        self.ends.as_ref().map_or(Some(-place[2]), |ends| ends.depth_of(place))
+    }
+
     /// Displacement and stress on a section; places where they are not known are left out.
     pub fn section(&self, section: &Section) -> Sampled {
-        section.responses(None, |place: DVec3| self.at(section.below_zero(place)?.to_array()))
+        let corners = self.ends.as_ref().map(|ends| ends.surface().corners());
+        let at = |place: DVec3| self.at(section.below_zero(place)?.to_array());
+        section.responses(corners.as_deref(), at)
+    }
+
+    /// The stresses (Pa) in a plane at a depth (m), with an even one added, in the order of [`Components`]: a value below the centre of
+    /// each element, no number where it is not known.
+    pub fn plane(&self, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
+        let mut plane = self.below.plane(depth);
+        let ends = self.ends.as_ref().map(|ends| {
+            let [nx, ny] = self.below.elements();
+            let columns: Vec<f64> = (0..nx).map(|column| self.below.place(column)[0]).collect();
+            let rows: Vec<f64> = (0..ny).map(|row| self.below.place(row * nx)[1]).collect();
+            ends.plane(depth, [&columns, &rows])
+        });
+        for (component, field) in plane.iter_mut().enumerate() {
+            for (element, value) in field.iter_mut().enumerate() {
+                let [x, y] = self.below.place(element);
+                *value += match &ends {
+                    _ if !self.knows([x, y, -depth]) => f64::NAN,
+                    Some(Some(ends)) => initial[component] + ends[component][element],
+                    Some(None) => f64::NAN,
+                    None => initial[component],
+                };
+            }
+        }
+        plane
+    }
+
+    /// What is added to the stress (Pa) of even elements at a place (m): an even one, and what the ends of the body add.
+    pub(super) fn added(&self, initial: &Components, place: [f64; 3]) -> Components {
+        let Some(ends) = &self.ends else { return *initial };
+        let ends = ends.stress(place);
+        array::from_fn(|own| initial[own] + ends[own])
+    }
+
+    /// How far a measure of stresses (Pa) at a place (m) may be off, as what the ends of the body add is. None of the measures grows by
+    /// more than it is of a change.
+    pub(super) fn ends_miss(&self, of: Of, place: [f64; 3]) -> f64 {
+        let Some(ends) = &self.ends else { return 0.0 };
+        ends.missed(place, |change| of(&change).max(of(&change.map(|own| -own))))
+    }
+
+    /// By how much the equivalent stress (Pa) is off at most at places (m), as what the ends of the body add is, and the largest there;
+    /// `None` of a half-space, and where none of the places is known.
+    pub fn missed(&self, places: &[[f64; 3]]) -> Option<[f64; 2]> {
+        self.ends.as_ref()?;
+        let known = places.par_iter().filter_map(|place| {
+            let stress = von_mises(&self.at(*place)?.stress);
+            Some([self.ends_miss(crate::stress::von_mises, *place), stress])
+        });
+        known.reduce_with(|one, other| [0, 1].map(|own| one[own].max(other[own])))
     }
 
     /// The largest pressure (Pa).
@@ -163,7 +264,7 @@ impl Pressed {
             KNOWN * self.distance_to_sides([x, y, 0.0])
         };
         let known = (0..self.below.pressure().len()).map(depth).fold(0.0, f64::max);
-        known.min(self.ground)
+        known.min(self.ground).min(self.bottom())
     }
 
     /// Complains about the first of these depths (m) that stresses are not known at.
@@ -179,8 +280,18 @@ impl Pressed {
         deep.map_or(Ok(()), |depth| Err(ElasticError::Deep { depth, known }))
     }
 
-    /// Whether the stress at a place (m) depends on the pressures of the frame alone.
+    /// How deep (m) the body is everywhere below the frame.
+    fn bottom(&self) -> f64 {
+        self.ends.as_ref().map_or(f64::INFINITY, |ends| ends.depth())
+    }
+
+    /// Whether the stress at a place (m) is known in all places of the frame as deep.
     pub(super) fn knows(&self, place: [f64; 3]) -> bool {
+        self.reaches(place) && -place[2] <= self.bottom()
+    }
+
+    /// Whether the stress at a place (m) depends on the pressures of the frame alone.
+    fn reaches(&self, place: [f64; 3]) -> bool {
         -place[2] <= KNOWN * self.distance_to_sides(place) && self.is_solid(place)
     }
 
@@ -197,6 +308,13 @@ impl Pressed {
         });
         each.fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Tractions on a body, of those on body 1: what friction does to body 1 it does to body 2 the other way; pressures press both.
+fn on_body(which: usize, tractions: &VectorField) -> VectorField {
+    let turned = |own: &[f64]| own.iter().map(|t| if which == 0 { *t } else { -t }).collect();
+    let [t1, t2] = [&tractions.t1, &tractions.t2].map(|own| turned(own));
+    VectorField { t1, t2, n: tractions.n.clone() }
 }
 
 /// The sides of a frame that pressures are cut at.

@@ -215,7 +215,11 @@ impl Pressed {
         let [hx, hy] = self.below.spacing();
         let face = surface.below.plane(0.0);
         let edges = edges(&surface.below, &surface.plane(hx.max(hy), initial), &face);
-        let on_face = |of: Of| on_surface(on_top.each_ref(), (of, initial), (&face, &edges));
+        let total = surface.plane(0.0, initial);
+        let on_face = |of: Of| {
+            let own = (&surface, on_top.each_ref());
+            on_surface(own, (of, initial), (&total, &edges))
+        };
         let along = Side::MEASURES.map(|of| layered.then(|| on_face(of)).flatten());
         let interfaces = interfaces(self, levels, initial, &layers);
         Some(Maxima {
@@ -239,19 +243,6 @@ impl Pressed {
         first.into_iter().chain(inner).chain(last).collect()
     }
 
-    /// The stresses (Pa) in a plane at a depth (m), with an even one added, in the order of [`Components`]: a value below the centre of
-    /// each element, no number where it is not known.
-    pub fn plane(&self, depth: f64, initial: &Components) -> [Vec<f64>; 6] {
-        let mut plane = self.below.plane(depth);
-        for (field, added) in plane.iter_mut().zip(initial) {
-            for (element, value) in field.iter_mut().enumerate() {
-                let [x, y] = self.below.place(element);
-                *value = if self.knows([x, y, -depth]) { *value + added } else { f64::NAN };
-            }
-        }
-        plane
-    }
-
     /// The maximum below the surface next to a place, within these depths; the field there on elements of twice and four times the size
     /// says how far off it may be.
     pub(super) fn below_surface(
@@ -262,8 +253,8 @@ impl Pressed {
         depths: &[f64],
     ) -> Maximum {
         let value = |below: &Below, place: [f64; 3]| {
-            let mut stress = below.stress(place);
-            stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
+            let (mut stress, added) = (below.stress(place), self.added(initial, place));
+            stress.iter_mut().zip(added).for_each(|(own, added)| *own += added);
             measure(&stress)
         };
         let [h, _] = levels[0].spacing();
@@ -286,7 +277,7 @@ impl Pressed {
         }
         let mut found =
             Maximum::of([best, value(levels[1], place), value(levels[2], place)], place);
-        found.error += levels[0].missed(-place[2]);
+        found.error += levels[0].missed(-place[2]) + self.ends_miss(measure, place);
         found
     }
 }
@@ -328,15 +319,15 @@ fn layer(
     Layer { depth, piece, largest, mean, yields, faces: vec![] }
 }
 
-/// The maximum on the surface: where all is pressed around, or at an edge; `None` where neither is known.
+/// The maximum on the surface, by the stresses there: where all is pressed around, or at an edge; `None` where neither is known.
 fn on_surface(
-    levels: [&Below; 3],
+    (body, levels): (&Pressed, [&Below; 3]),
     (measure, initial): (Of, &Components),
     (face, edges): (&[Vec<f64>; 6], &[AtEdge]),
 ) -> Option<Maximum> {
-    let of = |mut stress: Components| {
-        stress.iter_mut().zip(initial).for_each(|(own, added)| *own += added);
-        measure(&stress)
+    let with = |mut stress: Components, added: &Components| {
+        stress.iter_mut().zip(added).for_each(|(own, added)| *own += added);
+        stress
     };
     let below = levels[0];
     let [nx, ny] = below.elements();
@@ -355,20 +346,25 @@ fn on_surface(
     let largest = |plane: &[Vec<f64>; 6], counts: &(dyn Fn(usize) -> bool + Sync)| {
         let own = (0..below.pressure().len()).into_par_iter().with_min_len(256);
         let own = own.filter(|element| counts(*element));
-        let own = own.map(|element| (element, of(plane.each_ref().map(|field| field[element]))));
+        let own =
+            own.map(|element| (element, measure(&plane.each_ref().map(|field| field[element]))));
         own.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))
     };
     let middle = largest(face, &surrounded).map(|(element, value)| {
         let [x, y] = below.place(element);
         let place = [x, y, 0.0];
-        let [near, far] = [1, 2].map(|level: usize| of(levels[level].stress(place)));
-        Maximum::of([value, near, far], place)
+        let added = body.added(initial, place);
+        let coarser = |level: usize| measure(&with(levels[level].stress(place), &added));
+        Maximum::of([value, coarser(1), coarser(2)], place)
     });
     let beside = largest(face, &|element| !surrounded(element));
     let beside = beside.map_or(f64::NEG_INFINITY, |(_, value)| value);
     let edges = edges.iter().map(|edge| {
-        let ([value, error], [x, y]) = (edge.measure(of), edge.place);
-        Maximum { value, error, order: ORDERS[0], place: [x, y, 0.0] }
+        let [x, y] = edge.place;
+        let place = [x, y, 0.0];
+        let added = body.added(initial, place);
+        let [value, error] = edge.measure(|stress| measure(&with(stress, &added)));
+        Maximum { value, error, order: ORDERS[0], place }
     });
     // The largest that is sure.
     let edge =
@@ -379,5 +375,8 @@ fn on_surface(
     };
     // What elements have next to an edge that is not known is larger still at it.
     let known = known.filter(|known| known.value + known.error >= beside);
-    known.map(|known| Maximum { error: known.error + below.missed(0.0), ..known })
+    known.map(|known| {
+        let missed = below.missed(0.0) + body.ends_miss(measure, known.place);
+        Maximum { error: known.error + missed, ..known }
+    })
 }

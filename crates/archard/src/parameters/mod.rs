@@ -6,12 +6,14 @@
 //! no reader of its own.
 
 mod about;
+mod bytes;
 mod invalid;
 mod values;
 
 use std::fmt;
 
 pub use about::About;
+pub use bytes::Bytes;
 pub use invalid::Invalid;
 pub use values::{Column, Columns, OneOf, Value, Values};
 

@@ -1,6 +1,8 @@
 //! The values given for a choice.
 
-use super::Invalid;
+use std::any::Any;
+
+use super::{Bytes, Invalid};
 
 /// A value in SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +35,7 @@ pub enum Value {
         /// The name, as written.
         name: String,
         /// What the file holds.
-        bytes: Vec<u8>,
+        bytes: Bytes,
     },
     /// The values of a table inside the table.
     Section(Values),
@@ -123,6 +125,18 @@ impl Values {
     pub fn file(&self, name: &str) -> Option<(&str, &[u8])> {
         match self.get(name) {
             Some(Value::File { name, bytes }) => Some((name, bytes)),
+            _ => None,
+        }
+    }
+
+    /// The name of the file of that name, if it was given, and what its bytes are parsed to once.
+    pub fn parsed<T: Any + Clone + Send + Sync>(
+        &self,
+        name: &str,
+        make: impl Fn(&[u8]) -> T,
+    ) -> Option<(&str, T)> {
+        match self.get(name) {
+            Some(Value::File { name, bytes }) => Some((name, bytes.parsed(make))),
             _ => None,
         }
     }

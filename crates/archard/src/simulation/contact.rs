@@ -9,6 +9,7 @@ use super::march::Stepper;
 use super::passing::{self, WornLine};
 use super::placed::Placed;
 use super::setup::Simulation;
+use super::swing::offsets;
 use crate::body::Body;
 use crate::elastic::{ElasticError, Pressed};
 use crate::motion::{Control, Motion, Rolling, Station, Stepping};
@@ -153,7 +154,8 @@ impl Contact {
         if let Some(why) = Pressed::refuses(bodies, body) {
             return Err(ElasticError::Unknown { body, why });
         }
-        let pressed = Pressed::in_contact(bodies, body, frame, &problem.tractions(&self.state));
+        let moved = (body, offsets(&problem.bodies, &problem.motion));
+        let pressed = Pressed::with_ends(bodies, moved, frame, &problem.tractions(&self.state))?;
         let why = "is no half-space under a uniform frame: run its case with `output.points`";
         let pressed = pressed.ok_or(ElasticError::Unknown { body, why })?;
         // A frame without an end repeats itself.

@@ -98,7 +98,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     ];
     let key = |name: &str| Key::of(["output", name, &body.name]);
     let Some((name, _)) = wanted.into_iter().find(|(_, none)| !none) else { return vec![] };
-    if body.finite.is_some() {
+    if body.finite.is_some() && !body.has_image() {
         let meshed = "is meshed: its largest stresses are not sought; take `output.points` or `output.sections`";
         let problem = stresses.as_ref().map(|_| Problem::error(key("stress"), meshed).at_name());
         return problem.into_iter().collect();
@@ -126,6 +126,10 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
+        if body.has_image() {
+            let message = "is for half-spaces: what the ends of a body add is known at the end of the run alone";
+            return vec![Problem::error(key, message).at_name()];
+        }
         let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
         let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
         let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
@@ -139,7 +143,9 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             return vec![Problem::error(key.child("fatemi_socie"), message).at_name()];
         }
     }
-    let above = points.iter().filter(|point| point.place[2] > 0.0).map(|point| {
+    // Where a body ends, its surface says what lies in it.
+    let endless = body.finite.is_none();
+    let above = points.iter().filter(|point| endless && point.place[2] > 0.0).map(|point| {
         let message =
             "lies above the surface of the half-space: z is zero there, and negative in it";
         Problem::error(key("points").child(&point.name), message)
@@ -152,7 +158,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
         );
         Problem::error(key("points").child(&point.name), message)
     });
-    let lost = sections.iter().filter_map(|section| {
+    let lost = sections.iter().filter(|_| endless).filter_map(|section| {
         let cause = section.check_half_space().err()?;
         let key = key("sections").child(&section.name).child(cause.parameter());
         Some(Problem::error(key, cause.to_string()))

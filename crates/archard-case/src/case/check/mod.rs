@@ -27,6 +27,7 @@ mod surfaces;
 mod texture;
 mod track;
 mod warmed;
+pub(super) mod within;
 mod words;
 mod yielding;
 

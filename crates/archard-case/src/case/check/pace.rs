@@ -24,12 +24,17 @@ impl Pace {
     pub fn of(operations: f64) -> Option<Self> {
         (operations > QUICK).then(|| Self { operations, rate: rate() })
     }
+
+    /// The time (s) that other equations of so many operations take.
+    pub fn seconds(&self, operations: f64) -> f64 {
+        operations / self.rate
+    }
 }
 
 impl fmt::Display for Pace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { operations, rate } = self;
-        let time = duration(operations / rate);
+        let time = duration(self.seconds(*operations));
         writeln!(
             f,
             "equations         about {time} to factorise and condense, at {:.1e} operations a second as measured now",

@@ -72,7 +72,7 @@ fn a_solve(case: &Case) -> Option<f64> {
 }
 
 /// What an application of the compliance by Fourier transforms depends on; the iterations of a solve hardly depend on the pairs.
-fn work(pairs: usize) -> f64 {
+pub(super) fn work(pairs: usize) -> f64 {
     let pairs = pairs as f64;
     pairs * pairs.log2().max(1.0)
 }

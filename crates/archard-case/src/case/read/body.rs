@@ -43,7 +43,7 @@ impl Reader<'_> {
             section.table.0.iter().map(|entry| self.body(&section.key, entry)).collect();
         self.count_bodies(&section);
         let [Some(first), Some(second)] = <[_; 2]>::try_from(bodies).ok()? else { return None };
-        let [first, second] = self.images(root, [first, second])?;
+        let [first, second] = self.images([first, second])?;
         let rigid = |body: &BodyCase| body.material.is_none() && body.layers.is_empty();
         if rigid(&first) && rigid(&second) {
             let key = section.key.child(&second.name).child("rigid");

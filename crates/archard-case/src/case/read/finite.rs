@@ -119,8 +119,10 @@ impl Reader<'_> {
                     BuildError::Mesh(cause @ MeshError::Matrix { .. }) => {
                         (own(), cause.to_string())
                     }
-                    BuildError::Invalid(cause) if cause.parameter == "compliance" => {
-                        (own(), cause.message.clone())
+                    BuildError::Invalid(cause)
+                        if ["compliance", "places"].contains(&&*cause.parameter) =>
+                    {
+                        (key.child(&cause.parameter), cause.message.clone())
                     }
                     _ => (key.clone(), error.to_string()),
                 };

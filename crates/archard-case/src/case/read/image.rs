@@ -12,8 +12,7 @@ use crate::case::definition::{BodyCase, FrameCase};
 use crate::case::finite::{FiniteCase, NO_IMAGE};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::case::reader::{Reader, Section};
-use crate::case::tree::Item;
+use crate::case::reader::Reader;
 
 /// The same body with what says how it deforms, and why; on a frame of its own if there is one.
 pub(super) fn chosen(finite: FiniteCase, framed: bool) -> FiniteCase {
@@ -67,21 +66,7 @@ fn against(finite: &FiniteCase, with: &FiniteCase, framed: bool) -> Option<&'sta
 
 impl Reader<'_> {
     /// Image fields, where both bodies go with them: one that is meshed where it touches takes that from the other.
-    /// And where the case asks for stresses inside, which take a mesh around the zone.
-    pub(super) fn images(
-        &mut self,
-        root: &Section<'_>,
-        mut bodies: [BodyCase; 2],
-    ) -> Option<[BodyCase; 2]> {
-        let output = root.get("output").map(|(_, entry)| &entry.node.item);
-        let asks = |body: &BodyCase| {
-            let Some(Item::Table(output)) = output else { return false };
-            ["points", "sections"].iter().any(|name| {
-                let of_bodies = output.get(name).map(|entry| &entry.node.item);
-                matches!(of_bodies, Some(Item::Table(table)) if table.get(&body.name).is_some())
-            })
-        };
-        let inside = bodies.iter().any(|body| body.finite.is_some() && asks(body));
+    pub(super) fn images(&mut self, mut bodies: [BodyCase; 2]) -> Option<[BodyCase; 2]> {
         for body in bodies.iter().filter(|body| body.has_image()) {
             let supports = body
                 .finite
@@ -98,12 +83,9 @@ impl Reader<'_> {
                 }
             }
         }
-        let meshed = inside || bodies.iter().any(BodyCase::is_meshed);
+        let meshed = bodies.iter().any(BodyCase::is_meshed);
         for body in bodies.iter_mut().filter(|body| meshed && body.has_image()) {
             let Some(finite) = &mut body.finite else { continue };
-            if finite.why.is_none() && inside {
-                continue;
-            }
             if finite.why.is_none() {
                 let message = "an image field takes a half-space, a rigid body or another image field opposite, and the other body is meshed where it touches";
                 let key = Key::of(["body", &body.name, "elasticity"]);
@@ -111,11 +93,7 @@ impl Reader<'_> {
                 return None;
             }
             finite.elasticity = Elasticity::BoundaryElements;
-            finite.why = Some(if inside {
-                "stresses inside take a mesh around the zone"
-            } else {
-                "the other body is meshed where it touches"
-            });
+            finite.why = Some("the other body is meshed where it touches");
         }
         Some(bodies)
     }

@@ -111,12 +111,12 @@ impl Reader<'_> {
                 continue;
             };
             let deforms = |finite: &FiniteCase| {
-                finite.elasticity.is_own() && finite.elasticity != Elasticity::Reduced
+                !matches!(finite.elasticity, Elasticity::HalfSpace | Elasticity::Reduced)
             };
             if bodies[body].material.is_none() && bodies[body].layers.is_empty()
                 || bodies[body].finite.as_ref().is_some_and(|finite| !deforms(finite))
             {
-                let message = "has no stress to put out: that takes an elastic body, a half-space or one with a `mesh` and `elasticity = \"boundary_elements\"` or `\"finite_elements\"`";
+                let message = "has no stress to put out: that takes an elastic body, a half-space or one with a `mesh` and `elasticity = \"image\"`, `\"boundary_elements\"` or `\"finite_elements\"`";
                 self.push(Problem::error(key, message).at_name());
                 continue;
             }

@@ -129,7 +129,18 @@ impl Conditions {
         of: impl Fn(&TractionNode) -> Condition,
         contact: &[(usize, [DVec3; 3])],
     ) -> Result<Self, Undetermined> {
-        let mut tractions: Vec<Condition> = surface.tractions.iter().map(of).collect();
+        Self::of(surface, surface.tractions.iter().map(of).collect(), contact)
+    }
+
+    /// The same of conditions in the order of the nodes of tractions.
+    ///
+    /// # Errors
+    /// As [`Conditions::new`].
+    pub(super) fn of(
+        surface: &Surface,
+        mut tractions: Vec<Condition>,
+        contact: &[(usize, [DVec3; 3])],
+    ) -> Result<Self, Undetermined> {
         let mut contact_column = vec![None; tractions.len()];
         for (column, &(traction, basis)) in contact.iter().enumerate() {
             tractions[traction] = Condition { basis, given: [Given::Contact; 3] };

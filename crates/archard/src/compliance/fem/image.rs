@@ -4,9 +4,9 @@ use faer::Mat;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Solid;
 use super::surplus::Surplus;
 use super::triangle::points;
+use super::{Inside, Solid};
 use crate::compliance::bem::image::{Columns, Field, NearField, Polynomials};
 
 /// Triangles on which fields are found at once.
@@ -36,6 +36,18 @@ impl Solid {
     pub fn compliance(&self, polynomials: &Polynomials) -> Mat<f64> {
         let columns = Columns::new(polynomials, [false; 2]);
         self.found(&NearField::new(&self.material, polynomials, &columns), None).0
+    }
+
+    /// What the ends of the body add inside to the field of the half-space under loads (N): d m + i is that of the i-th of m polynomials
+    /// along axis d.
+    pub fn inside(&self, polynomials: &Polynomials, loads: &[f64]) -> Inside {
+        let columns = Columns::new(polynomials, [false; 2]);
+        let (_, each) = self.found(&NearField::new(&self.material, polynomials, &columns), None);
+        let mut displacements = vec![0.0; 3 * self.volume.nodes.len()];
+        for (own, load) in each.iter().zip(loads) {
+            displacements.iter_mut().zip(own).for_each(|(sum, own)| *sum += load * own);
+        }
+        Inside::new(&self.volume, &self.material, &displacements)
     }
 
     /// K (m/N), and the displacements (m) of all nodes, one vector a load; the tractions that act are laid on cubic functions too.

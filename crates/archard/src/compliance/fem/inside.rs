@@ -27,6 +27,8 @@ pub struct Inside {
     volume: Arc<Volume>,
     /// Displacements (m) and stresses (Pa) of the nodes.
     nodes: Vec<Response>,
+    /// Stresses (Pa) at the corners of each tetrahedron by itself.
+    corners: Vec<[DMat3; 4]>,
     /// The box around each tetrahedron (m).
     boxes: Vec<[DVec3; 2]>,
 }
@@ -39,19 +41,19 @@ impl Carrier {
 }
 
 impl Inside {
-    fn new(volume: &Arc<Volume>, material: &Material, displacements: &[f64]) -> Self {
+    pub(super) fn new(volume: &Arc<Volume>, material: &Material, displacements: &[f64]) -> Self {
         let at = |node: usize| DVec3::from_slice(&displacements[3 * node..][..3]);
         let of_element = |element: &[usize; 10]| corners(volume, material, element, &at);
         let found: Vec<_> = volume.elements.par_iter().map(of_element).collect();
         let mut sums = vec![(0.0, DMat3::ZERO); volume.nodes.len()];
-        for (element, (weight, corners)) in volume.elements.iter().zip(found) {
+        for (element, (weight, corners)) in volume.elements.iter().zip(&found) {
             let of_node = |own: usize| match own {
                 0..4 => corners[own],
                 _ => 0.5 * (corners[EDGES[own - 4][0]] + corners[EDGES[own - 4][1]]),
             };
             for (own, node) in element.iter().enumerate() {
-                sums[*node].0 += weight;
-                sums[*node].1 += weight * of_node(own);
+                sums[*node].0 += *weight;
+                sums[*node].1 += *weight * of_node(own);
             }
         }
         let node = |(node, (weight, sum)): (usize, (f64, DMat3))| Response {
@@ -67,11 +69,30 @@ impl Inside {
             [low - margin, high + margin]
         };
         let boxes = volume.elements.iter().map(around).collect();
-        Self { volume: Arc::clone(volume), nodes, boxes }
+        let corners = found.into_iter().map(|(_, corners)| corners).collect();
+        Self { volume: Arc::clone(volume), nodes, corners, boxes }
     }
 
     /// The response at a point (m); `None` outside the body. A point outside by less than a tenth of an element is one of it.
     pub fn at(&self, point: DVec3) -> Option<Response> {
+        let (element, at) = self.locate(point)?;
+        let mut all = Response { displacement: DVec3::ZERO, stress: DMat3::ZERO };
+        for (node, share) in self.volume.elements[element].iter().zip(values(at)) {
+            all.displacement += share * self.nodes[*node].displacement;
+            all.stress += share * self.nodes[*node].stress;
+        }
+        Some(all)
+    }
+
+    /// The stress (Pa) at a point (m) by its tetrahedron alone, from which the mean over several differs by as much as it may be off
+    /// (O. C. Zienkiewicz and J. Z. Zhu, Int. J. Numer. Methods Eng. 24 (1987), 337).
+    pub fn by_itself(&self, point: DVec3) -> Option<DMat3> {
+        let (element, at) = self.locate(point)?;
+        Some(self.corners[element].iter().zip(at).map(|(corner, share)| *corner * share).sum())
+    }
+
+    /// The tetrahedron at a point (m), and the coordinates there.
+    fn locate(&self, point: DVec3) -> Option<(usize, Place)> {
         let near = |(element, [low, high]): (usize, &[DVec3; 2])| {
             let within = point.cmpge(*low).all() && point.cmple(*high).all();
             let at = within.then(|| self.coordinates(element, point)).flatten()?;
@@ -79,15 +100,7 @@ impl Inside {
         };
         let found = self.boxes.iter().enumerate().filter_map(near);
         let (least, element, at) = found.max_by(|one, other| one.0.total_cmp(&other.0))?;
-        let sum = |shares: [f64; 10]| {
-            let mut all = Response { displacement: DVec3::ZERO, stress: DMat3::ZERO };
-            for (node, share) in self.volume.elements[element].iter().zip(shares) {
-                all.displacement += share * self.nodes[*node].displacement;
-                all.stress += share * self.nodes[*node].stress;
-            }
-            all
-        };
-        (least > -OUTSIDE).then(|| sum(values(at)))
+        (least > -OUTSIDE).then_some((element, at))
     }
 
     /// Displacements (m) and stresses (Pa) at the corners of a surface: a value a node of displacements, and one a node of tractions.

@@ -8,10 +8,11 @@ use crate::body::mesh::{Mesh, Volume};
 use crate::body::{Body, Elasticity, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, supported};
 use crate::compliance::bem::image::{
-    Imaged, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, holds,
+    Imaged, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, degree_inside, holds,
 };
 use crate::compliance::bem::{Conditions, Surface};
 use crate::compliance::fem::{ImageField, Solid};
+use crate::compliance::image::ends::Inside;
 use crate::frame::Rectangle;
 
 /// How much larger rectangles become: as frames do that grow at each side by an eighth. A choice of cost.
@@ -43,9 +44,9 @@ pub(super) struct Known {
 
 /// A body and what finds its field.
 #[derive(Debug)]
-struct One {
+pub(super) struct One {
     which: usize,
-    finite: Finite,
+    pub finite: Finite,
     engine: Engine,
     material: Material,
     /// By how much it is moved under the contact (m).
@@ -96,6 +97,11 @@ impl Known {
         let fields = self.fields(self.within_the_faces(steps))?;
         found().push((steps, fields.clone()));
         Ok(fields)
+    }
+
+    /// One of the bodies, by its index; `None` where it has no image field.
+    pub fn of_body(self, which: usize) -> Option<One> {
+        self.bodies.into_iter().find(|one| one.which == which)
     }
 
     /// Whether bodies are held and their faces hold the first rectangle wherever they are moved.
@@ -186,12 +192,38 @@ impl One {
         }))
     }
 
+    /// The field inside under loads (N) of polynomials; of elements on its surface that are halved or not.
+    pub fn inside(
+        &self,
+        polynomials: &Polynomials,
+        loads: &[f64],
+        halved: bool,
+    ) -> Result<Inside, ContactError> {
+        match &self.engine {
+            Engine::Surface(fine) => {
+                let mesh = if halved { fine } else { &self.finite.meshed.mesh };
+                let found = self.imaged(mesh).inside(polynomials, loads);
+                found.map(Box::new).map(Inside::Surface).map_err(|cause| self.failed(cause))
+            }
+            Engine::Volume(volume, solid) => {
+                Ok(Inside::Volume(self.solid(volume, solid)?.inside(polynomials, loads)))
+            }
+        }
+    }
+
     fn by_surface(&self, mesh: &Mesh, polynomials: &Polynomials) -> Result<Mat<f64>, ContactError> {
-        let imaged = Imaged { finite: &self.finite, mesh, material: &self.material };
-        imaged.compliance(polynomials).map_err(|cause| match cause {
+        self.imaged(mesh).compliance(polynomials).map_err(|cause| self.failed(cause))
+    }
+
+    fn imaged<'a>(&'a self, mesh: &'a Mesh) -> Imaged<'a> {
+        Imaged { finite: &self.finite, mesh, material: &self.material }
+    }
+
+    fn failed(&self, cause: NoImage) -> ContactError {
+        match cause {
             NoImage::Undetermined(cause) => ContactError::Undetermined { body: self.which, cause },
             NoImage::Unsolved(cause) => ContactError::Singular { body: self.which, cause },
-        })
+        }
     }
 
     fn solid<'a>(
@@ -217,6 +249,12 @@ impl One {
         })
     }
 
+    /// The degree of polynomials by which loads on a rectangle are known anywhere in the body.
+    pub fn degree_inside(&self, rectangle: &Rectangle) -> usize {
+        let Finite { meshed, mirrored, .. } = &self.finite;
+        degree_inside(&meshed.mesh, *mirrored, rectangle, MISSED).unwrap_or(MOST_DEGREES)
+    }
+
     fn degree(&self, rectangle: &Rectangle) -> usize {
         let Self { finite, .. } = self;
         degree(&finite.meshed.mesh, finite.mirrored, rectangle, MISSED).unwrap_or(MOST_DEGREES)
@@ -234,7 +272,7 @@ impl One {
     }
 
     /// Where a rectangle of the frame lies on the body at the ends of its ways, as far as it is moved.
-    fn ends(&self, rectangle: &Rectangle) -> impl Iterator<Item = Rectangle> + use<> {
+    pub fn ends(&self, rectangle: &Rectangle) -> impl Iterator<Item = Rectangle> + use<> {
         let rectangle = *rectangle;
         let offsets = self.offsets.corners();
         let differs = move |end: &usize| {

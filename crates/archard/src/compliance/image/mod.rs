@@ -3,6 +3,7 @@
 //! The compliance is that of half-spaces, by Fourier transforms, and the image fields of the bodies (`bem::image`), which are smooth
 //! and of low rank: C = H + Phi K Phi^T with polynomials Phi, averaged over the elements.
 
+mod ends;
 mod known;
 mod slip;
 mod term;
@@ -20,6 +21,7 @@ use crate::frame::{ContactFrame, Flow, Part, Rectangle, VectorField};
 #[cfg(test)]
 mod tests;
 
+pub use ends::Ends;
 use known::{Fields, Known};
 use slip::Imaged;
 use term::Term;

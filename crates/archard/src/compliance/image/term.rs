@@ -146,6 +146,17 @@ impl Term {
         }
     }
 
+    /// The forces (N) that polynomials feel of tractions (Pa): d m + i is that of the i-th of m along axis d.
+    pub fn forces(
+        polynomials: &Polynomials,
+        elements: [usize; 2],
+        tractions: &VectorField,
+    ) -> Vec<f64> {
+        let parts = (Arc::new(polynomials.clone()), Arc::new(Mat::zeros(0, 0)));
+        let term = Self::new(parts, polynomials.rectangle, elements);
+        tractions.components().into_iter().flat_map(|field| term.project(field)).collect()
+    }
+
     /// Number of polynomials.
     fn count(&self) -> usize {
         self.compliance.nrows() / 3

@@ -36,6 +36,11 @@ impl Inside {
         &self.volume.numbers
     }
 
+    /// Where the nodes are (m).
+    pub fn places(&self) -> &[[f64; 3]] {
+        &self.volume.nodes
+    }
+
     /// The nodes of a zone, those on edges too, some of them several times.
     pub fn nodes_of(&self, zone: &Zone) -> impl Iterator<Item = usize> {
         zone.faces.iter().flat_map(|face| self.volume.faces[*face])

@@ -24,7 +24,7 @@ use super::reduced::Holds;
 use super::{MOST_OF_A_FILE, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 use inside::Inside;
-use matrix::Matrix;
+use matrix::{Matrix, PLACES, Places};
 use near::Near;
 use solid::Solid;
 
@@ -67,6 +67,11 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             Quantity::Word(&matrix::WORDS),
             "the unit of its values, one of stiffness or of flexibility; newtons in `unit` unless given",
         ),
+        Parameter::optional(
+            "places",
+            Quantity::Table(PLACES),
+            "where its nodes are, where the mesh numbers its own otherwise or the matrix names none: a CSV of node, x_mm, y_mm and z_mm, its rows in the order of the matrix",
+        ),
     ],
     build: |values| {
         let (name, bytes) =
@@ -99,13 +104,18 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
             (_, Some(place)) => Contact::Near(Near::read(place, &mesh)?),
             (None, None) => Contact::None,
         };
-        let matrix = match values.file("compliance") {
+        let places = values.table("places").map(Places::read).transpose()?;
+        let matrix = match values.parsed("compliance", matrix::parse) {
+            None if places.is_some() => {
+                let message = "says where the nodes of a `compliance` are: give that too, or leave this out";
+                return Err(Invalid::new("places", message));
+            }
             None => None,
-            Some((name, bytes)) => {
+            Some((name, parsed)) => {
                 let unit = values.word("compliance_unit");
                 let unit = unit.and_then(|unit| matrix::UNITS.iter().find(|known| known.0 == unit));
                 let unit = unit.copied().unwrap_or(("", Holds::Stiffness, 1.0 / scale));
-                let matrix = Matrix::new(bytes, unit);
+                let matrix = parsed.and_then(|parsed| Matrix::new(parsed, unit, places));
                 let matrix = matrix.map_err(|wrong| Invalid::new("compliance", wrong.of(name)))?;
                 Some((name.to_owned(), matrix))
             }

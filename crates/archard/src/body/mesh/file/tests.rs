@@ -241,7 +241,7 @@ fn build(contact: Option<&str>, unit: Option<&str>) -> Result<Meshed, Invalid> {
     let choice = MESHES.iter().find(|choice| choice.name == "file").unwrap();
     let mut values = Values::default();
     let name = GMSH[2].to_owned();
-    values.insert("path", Value::File { bytes: bytes(&name), name });
+    values.insert("path", Value::File { bytes: bytes(&name).into(), name });
     if let Some(contact) = contact {
         values.insert("contact", Value::Word(contact.to_owned()));
     }

@@ -11,6 +11,7 @@
 //! with the body's own u and t, so that nothing is evaluated in the zone. Loads are polynomials on the zone.
 
 mod field;
+mod inside;
 mod near;
 mod zone;
 
@@ -64,6 +65,26 @@ pub fn degree(
     rectangle: &Rectangle,
     tolerance: f64,
 ) -> Option<usize> {
+    degree_by(mesh, (mirrored, 2.0), rectangle, tolerance)
+}
+
+/// The same for the field of the loads anywhere in the body: a place of a face is a singularity of what loads do there.
+pub fn degree_inside(
+    mesh: &Mesh,
+    mirrored: [bool; 2],
+    rectangle: &Rectangle,
+    tolerance: f64,
+) -> Option<usize> {
+    degree_by(mesh, (mirrored, 1.0), rectangle, tolerance)
+}
+
+/// By singularities so many times as far from the rectangle as the planes of the faces.
+fn degree_by(
+    mesh: &Mesh,
+    (mirrored, times): ([bool; 2], f64),
+    rectangle: &Rectangle,
+    tolerance: f64,
+) -> Option<usize> {
     let signs = |mirrored: bool| if mirrored { vec![1.0, -1.0] } else { vec![1.0] };
     let [along_x, along_y] = mirrored.map(signs);
     let images = along_x.iter().flat_map(|x| along_y.iter().map(|y| DVec3::new(*x, *y, 1.0)));
@@ -77,8 +98,8 @@ pub fn degree(
         seen.flat_map(move |image| {
             let (place, normal) = (*image * place, *image * normal);
             corners.map(|corner| {
-                let mirrored = corner + 2.0 * normal.dot(place - corner) * normal;
-                zone::ratio(rectangle, mirrored)
+                let there = corner + times * normal.dot(place - corner) * normal;
+                zone::ratio(rectangle, there)
             })
         })
     });

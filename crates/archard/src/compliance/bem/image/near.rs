@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use glam::{DMat3, DVec3};
 
+use super::super::TractionNode;
 use super::field::HalfSpaceField;
 use super::zone::{Polynomials, ratio};
 use crate::body::Material;
@@ -38,6 +39,20 @@ impl<'a> NearField<'a> {
     /// The same on a surface; `None` on the face of the zone, where the half-space has no traction.
     pub fn off_the_face(&self, place: DVec3, normal: DVec3) -> Option<Field> {
         (!on_the_face(place, normal)).then(|| self.at(place, normal))
+    }
+
+    /// The displacement (m) and the traction (Pa) on a surface under loads (N), three times as many as polynomials.
+    pub(super) fn under(&self, node: &TractionNode, loads: &[f64]) -> [DVec3; 2] {
+        let Some(field) = self.off_the_face(node.place, node.normal) else {
+            return [DVec3::ZERO; 2];
+        };
+        [&field.displacement, &field.traction].map(|each| self.sum(each, loads))
+    }
+
+    /// What loads (N), three times as many as polynomials, make of vectors of those that are kept.
+    pub fn sum(&self, each: &[DVec3], loads: &[f64]) -> DVec3 {
+        let kept = self.columns.kept.iter();
+        kept.zip(each).map(|(load, own)| loads[*load] * *own).sum()
     }
 
     /// The even loads among those that are kept, one along each axis.

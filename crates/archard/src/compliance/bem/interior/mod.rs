@@ -22,6 +22,8 @@ mod somigliana;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
+
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
@@ -61,8 +63,8 @@ pub struct Response {
 /// displacement.
 #[derive(Debug)]
 pub struct Interior<'a> {
-    surface: &'a Surface,
-    boundary: &'a Boundary,
+    surface: Cow<'a, Surface>,
+    boundary: Cow<'a, Boundary>,
     hooke: Hooke,
     kernels: Kernels,
     rules: Rules,
@@ -79,20 +81,29 @@ impl<'a> Interior<'a> {
         boundary: &'a Boundary,
         tolerance: f64,
     ) -> Self {
+        Self::of((Cow::Borrowed(surface), Cow::Borrowed(boundary)), material, tolerance)
+    }
+
+    fn of(
+        (surface, boundary): (Cow<'a, Surface>, Cow<'a, Boundary>),
+        material: &Material,
+        tolerance: f64,
+    ) -> Self {
+        let bends = curvatures(&surface).iter().map(|shares| bends(shares, &boundary)).collect();
         let mut interior = Self {
-            surface,
-            boundary,
             hooke: Hooke::new(material),
             kernels: Kernels::new(material),
             rules: Rules::new(tolerance),
             slopes: vec![None; surface.patches.len()],
-            bends: curvatures(surface).iter().map(|shares| bends(shares, boundary)).collect(),
+            bends,
+            surface,
+            boundary,
         };
-        let middle = |face: usize| surface.patches[face].middle_reference();
-        let gradients: Vec<DMat3> = (0..surface.patches.len())
-            .map(|face| interior.on(face, middle(face)).gradient)
+        let patches = interior.surface.patches.iter().enumerate();
+        let gradients: Vec<DMat3> = patches
+            .map(|(face, patch)| interior.on(face, patch.middle_reference()).gradient)
             .collect();
-        interior.slopes = fits(surface, &gradients);
+        interior.slopes = fits(&interior.surface, &gradients);
         interior
     }
 
@@ -253,6 +264,18 @@ impl<'a> Interior<'a> {
         let sum =
             parts.iter().fold([DMat3::ZERO; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
         Response { displacement: fitted.at(point) + sum[0].x_axis, stress: stress + sum[1] }
+    }
+}
+
+impl Interior<'static> {
+    /// The same of a surface that nobody else keeps.
+    pub(super) fn owning(
+        surface: Surface,
+        material: &Material,
+        boundary: Boundary,
+        tolerance: f64,
+    ) -> Self {
+        Self::of((Cow::Owned(surface), Cow::Owned(boundary)), material, tolerance)
     }
 }
 

@@ -21,7 +21,7 @@ const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
 fn meshed([mesh, matrix]: [&str; 2], unit: Option<&str>) -> Result<Meshed, String> {
     let file = |text: &str, name: &str| {
         let bytes = text.as_bytes().to_vec();
-        Value::File { bytes, name: name.to_owned() }
+        Value::File { bytes: bytes.into(), name: name.to_owned() }
     };
     let mut values = Values::default();
     values.insert("path", file(mesh, "part.inp"));

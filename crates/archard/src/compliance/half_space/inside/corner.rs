@@ -48,12 +48,17 @@ pub(super) fn functions([x, y]: [f64; 2], z: f64) -> Functions {
         z * z * x / (y2 * r),
         z * icss / r,
         z * iscc / r,
-        x * ic - z * cc,
-        y * is - z * ss,
-        r - z * cs,
-        -x * cc - y * cs - z * ic,
-        -y * ss - x * cs - z * is,
+        times(x, ic) - z * cc,
+        times(y, is) - z * ss,
+        r - times(z, cs),
+        -x * cc - times(y, cs) - times(z, ic),
+        -y * ss - times(x, cs) - times(z, is),
     ]
+}
+
+/// The product of a length and a function that grows as the logarithm of lengths, towards whose singularity the product vanishes.
+fn times(length: f64, function: f64) -> f64 {
+    if length == 0.0 { 0.0 } else { length * function }
 }
 
 /// Stresses from unit tractions along x, y and into the solid, in the order xx, yy, zz, xy, xz, yz; tension is positive, z goes into
@@ -73,9 +78,10 @@ pub(super) fn stress(functions: &Functions, poisson: f64) -> [[f64; 6]; 3] {
 pub(super) fn displacement(functions: &Functions, poisson: f64, z: f64) -> [[f64; 3]; 3] {
     let [e, cc, cs, ic, is, .., ncc, nss, ncs, nic, nis] = *functions;
     let (ss, n, all) = (e - cc, 2.0 * poisson, ncc + nss);
+    let [z_cs, z_ic, z_is] = [cs, ic, is].map(|function| times(z, function));
     [
-        [2.0 * all - z * cc - n * ncc, -n * ncs - z * cs, -(1.0 - n) * nic - z * ic],
-        [-n * ncs - z * cs, 2.0 * all - z * ss - n * nss, -(1.0 - n) * nis - z * is],
-        [(1.0 - n) * nic - z * ic, (1.0 - n) * nis - z * is, (2.0 - n) * all + z * e],
+        [2.0 * all - z * cc - n * ncc, -n * ncs - z_cs, -(1.0 - n) * nic - z_ic],
+        [-n * ncs - z_cs, 2.0 * all - z * ss - n * nss, -(1.0 - n) * nis - z_is],
+        [(1.0 - n) * nic - z_ic, (1.0 - n) * nis - z_is, (2.0 - n) * all + z * e],
     ]
 }

@@ -179,7 +179,7 @@ impl Below {
     /// Up to an element deep it is interpolated from the centres of the elements around: the stresses of even tractions have
     /// steps at their edges.
     pub fn stress(&self, place: [f64; 3]) -> Components {
-        let depth = -place[2];
+        let depth = 0.0 - place[2];
         if let Some(waves) = &self.waves {
             return turned(waves.stress(self, [place[0], place[1]], depth));
         }
@@ -204,7 +204,8 @@ impl Below {
 
     /// Displacement (m) at a place (m) along x, y and z, from far away or, under a line of contact, from its depth.
     pub fn displacement(&self, place: [f64; 3]) -> [f64; 3] {
-        let (at, z) = ([place[0], place[1]], -place[2]);
+        // Not the negative zero, which lies on the other side of a cut of the arc tangent.
+        let (at, z) = ([place[0], place[1]], 0.0 - place[2]);
         let material = self.material(z);
         let poisson = material.poisson;
         let mut sum = match self.depth {

@@ -6,16 +6,20 @@
 mod bulk;
 mod lists;
 mod market;
+mod places;
 #[cfg(test)]
 mod tests;
 mod user;
 
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 use super::inside::Inside;
 use crate::body::mesh::Zone;
 use crate::body::mesh::reduced::{Holds, Reduced};
 use crate::numerics::WRITTEN;
+
+pub(super) use places::{PLACES, Places};
 
 /// What is wrong with a matrix, and in which line where that is known.
 #[derive(Debug, Clone, PartialEq)]
@@ -173,28 +177,47 @@ impl Written {
     }
 }
 
-/// A matrix that can be one of stiffness or flexibility, by the numbers of its nodes.
+/// A matrix that can be one of stiffness or flexibility, in the unit of its file.
 #[derive(Debug)]
-pub(super) struct Matrix {
+pub(super) struct Parsed {
     written: Written,
     lower: Vec<(usize, usize, f64)>,
+}
+
+/// From the bytes of a file.
+///
+/// # Errors
+/// If it has another format or holds no matrix of an elastic body.
+pub(super) fn parse(bytes: &[u8]) -> Result<Arc<Parsed>, Wrong> {
+    let written = read(&String::from_utf8_lossy(bytes))?;
+    let lower = written.lower()?;
+    Ok(Arc::new(Parsed { written: Written { entries: vec![], ..written }, lower }))
+}
+
+/// The same by the numbers of its nodes.
+#[derive(Debug)]
+pub(super) struct Matrix {
+    parsed: Arc<Parsed>,
     holds: Holds,
+    scale: f64,
+    places: Option<Places>,
 }
 
 impl Matrix {
-    /// From the bytes of a file in that unit (one of [`UNITS`]).
+    /// In that unit (one of [`UNITS`]), its nodes at places that are known or by the numbers of a mesh.
     ///
     /// # Errors
-    /// If it has another format or holds no matrix of an elastic body.
-    pub fn new(bytes: &[u8], (_, holds, scale): (&str, Holds, f64)) -> Result<Self, Wrong> {
-        let written = read(&String::from_utf8_lossy(bytes))?;
-        if written.stiffness && holds == Holds::Flexibility {
+    /// If the file says that it holds something else.
+    pub fn new(
+        parsed: Arc<Parsed>,
+        (_, holds, scale): (&str, Holds, f64),
+        places: Option<Places>,
+    ) -> Result<Self, Wrong> {
+        if parsed.written.stiffness && holds == Holds::Flexibility {
             let message = "the file says that it holds a stiffness, and `compliance_unit` is one of flexibility: give a unit like \"N/mm\"";
             return Err(Wrong::all(message));
         }
-        let mut lower = written.lower()?;
-        lower.iter_mut().for_each(|(_, _, value)| *value *= scale);
-        Ok(Self { written: Written { entries: vec![], ..written }, lower, holds })
+        Ok(Self { parsed, holds, scale, places })
     }
 
     /// At the nodes of a body that may touch in a zone.
@@ -202,19 +225,25 @@ impl Matrix {
     /// # Errors
     /// If nodes or directions of the zone are missing.
     pub fn at(&self, inside: &Inside, zone: &Zone) -> Result<Reduced, Wrong> {
-        let numbers = inside.numbers();
-        let touching: BTreeSet<(u64, usize)> =
-            inside.nodes_of(zone).filter_map(|node| Some((*numbers.get(node)?, node))).collect();
-        let size = self.written.size;
-        let labels = match &self.written.labels {
-            Some(labels) => labels.clone(),
-            None if size == 3 * touching.len() => {
-                let nodes = touching.iter().map(|(number, _)| *number as i64);
+        let Parsed { written, lower } = &*self.parsed;
+        let numbers = match &self.places {
+            Some(places) => places.numbers(inside, zone)?,
+            None => inside.numbers().iter().map(|number| i64::try_from(*number).ok()).collect(),
+        };
+        let number = |node: usize| numbers.get(node).copied().flatten();
+        let touching: BTreeSet<(i64, usize)> =
+            inside.nodes_of(zone).filter_map(|node| Some((number(node)?, node))).collect();
+        let size = written.size;
+        let labels = match (&written.labels, &self.places) {
+            (Some(labels), _) => labels.clone(),
+            (None, Some(places)) => places.labels(size)?,
+            (None, None) if size == 3 * touching.len() => {
+                let nodes = touching.iter().map(|(number, _)| *number);
                 nodes.flat_map(|node| [0, 1, 2].map(|along| (node, along))).collect()
             }
-            None => {
+            (None, None) => {
                 return Err(Wrong::all(format!(
-                    "the matrix has {size} rows and says nothing of nodes; the zone has {} nodes, which take {}: three a node, by the numbers of the nodes, and no others",
+                    "the matrix has {size} rows and says nothing of nodes; the zone has {} nodes, which take {}: three a node, by the numbers of the nodes, and no others; or give the `places` of its nodes, row by row",
                     touching.len(),
                     3 * touching.len()
                 )));
@@ -226,14 +255,13 @@ impl Matrix {
                 rows.entry(*node).or_default()[*along] = Some(row);
             }
         }
-        let missing: Vec<u64> = touching
+        let missing: Vec<i64> = touching
             .iter()
             .map(|(number, _)| *number)
-            .filter(|number| !rows.contains_key(&(*number as i64)))
+            .filter(|number| !rows.contains_key(number))
             .collect();
         if let Some(first) = missing.first() {
-            let strange =
-                rows.keys().filter(|node| !numbers.contains(&node.unsigned_abs())).count();
+            let strange = rows.keys().filter(|node| !numbers.contains(&Some(**node))).count();
             let hint = match strange {
                 0 => {
                     "retain all nodes of the contact, those in the middles of edges too".to_owned()
@@ -249,7 +277,7 @@ impl Matrix {
             )));
         }
         for (number, _) in &touching {
-            if let Some(along) = rows[&(*number as i64)].iter().position(Option::is_none) {
+            if let Some(along) = rows[number].iter().position(Option::is_none) {
                 return Err(Wrong::all(format!(
                     "node {number} of the zone has no row along {}: retain all three directions",
                     ["x", "y", "z"][along]
@@ -259,12 +287,13 @@ impl Matrix {
         let known = numbers
             .iter()
             .enumerate()
-            .filter_map(|(node, number)| Some((node, *rows.get(&i64::try_from(*number).ok()?)?)));
+            .filter_map(|(node, number)| Some((node, *rows.get(&(*number)?)?)));
+        let entries = lower.iter().map(|(row, column, value)| (*row, *column, value * self.scale));
         Ok(Reduced {
             holds: self.holds,
             rows: known.collect(),
-            entries: self.lower.clone(),
-            rounding: 0.5 * 10f64.powi(1 - i32::try_from(self.written.digits).unwrap_or(i32::MAX)),
+            entries: entries.collect(),
+            rounding: 0.5 * 10f64.powi(1 - i32::try_from(written.digits).unwrap_or(i32::MAX)),
             labels,
         })
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Holds, Matrix, UNITS, Written, read};
+use super::{Holds, Matrix, UNITS, Written, parse, read};
 
 /// Springs of 3, 5 and 7 N/m between two nodes, 4 and 9, and others to the ground.
 const STIFFNESS: [[f64; 6]; 6] = [
@@ -170,6 +170,6 @@ fn what_is_no_matrix_of_a_body_is_said_with_its_line() {
     refused("DMIG,M2GG,0,6,2\nDMIG,B2GG,0,6,2\n", None, "there are the matrices M2GG, B2GG");
     refused("DMIG,K2GG,0,6,3\n", Some(1), "real numbers (1 or 2), found form `6` and type `3`");
     let unit = *UNITS.iter().find(|unit| unit.1 == Holds::Flexibility).unwrap();
-    let wrong = Matrix::new(user().as_bytes(), unit).unwrap_err();
+    let wrong = Matrix::new(parse(user().as_bytes()).unwrap(), unit, None).unwrap_err();
     assert!(wrong.message.contains("says that it holds a stiffness"), "{wrong:?}");
 }

@@ -91,7 +91,7 @@ pub(super) fn turn(triangle: &mut Triangle) {
 pub(super) fn values(triangles: &[Triangle]) -> Values {
     let mut values = Values::default();
     let bytes = stl(triangles).into_bytes();
-    values.insert("path", Value::File { bytes, name: "a.stl".to_owned() });
+    values.insert("path", Value::File { bytes: bytes.into(), name: "a.stl".to_owned() });
     values
 }
 

@@ -175,7 +175,7 @@ fn a_zone_can_be_that_of_a_surface() {
 fn quadrilaterals_are_divided_too() {
     let mut values = Values::default();
     let bytes = super::bytes(super::GMSH[2]);
-    values.insert("path", Value::File { bytes, name: "block.msh".to_owned() });
+    values.insert("path", Value::File { bytes: bytes.into(), name: "block.msh".to_owned() });
     values.insert("contact", near([0.0; 3], 10.0, Some(8.0)));
     let meshed = meshed(&values, [false; 2]).unwrap();
     assert_eq!(problems(&meshed.mesh, [false; 2]), [""; 0]);

@@ -49,6 +49,19 @@ fn slopes<const N: usize>(field: impl Fn([f64; 3]) -> [f64; N], place: [f64; 3])
     })
 }
 
+/// On the surface logarithms of corners cancel: displacements in line with edges, and at corners, are those a little below.
+#[test]
+fn displacements_at_edges_on_the_surface_are_finite() {
+    for below in bodies() {
+        for at in [[0.0, 0.0], [0.0, 0.13], [0.4, -2.0], [3.0, 0.2]] {
+            let [on, under] = [0.0, -1e-9].map(|z| below.displacement([at[0], at[1], z]));
+            for (on, under) in on.iter().zip(under) {
+                assert!((on - under).abs() < 1e-6, "{at:?}: {on} {under}");
+            }
+        }
+    }
+}
+
 /// Hooke's law turns the slopes of displacements into stresses, and these are in equilibrium.
 #[test]
 fn displacements_and_stresses_solve_the_equations_of_elasticity() {
