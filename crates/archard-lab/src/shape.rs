@@ -210,7 +210,7 @@ mod tests {
     use super::{Exponent, over_loads};
     use crate::within::{Fitted, Test};
 
-    /// A dead weight that was measured a little differently in each test is one load, of which no exponent is told; two loads tell one.
+    /// A dead weight that was measured a little differently in each test is one load, and gives no exponent; two loads give one.
     #[test]
     fn nearly_equal_loads_are_one() {
         let fitted = [0.0, 0.1, -0.1, 0.05];

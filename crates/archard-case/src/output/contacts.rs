@@ -69,7 +69,7 @@ pub struct RailHistory {
     pub steps: usize,
     /// What the points lose, relative to all work of friction: its amount and its place on the wheel.
     pub loss: f64,
-    /// The largest lateral over vertical force that it tells of a wheel, relative to Nadal's limit; `None` where it tells none.
+    /// The largest lateral over vertical force that it gives for a wheel, relative to Nadal's limit; `None` without lateral forces.
     pub climb: Option<f64>,
     /// The points by the titles of their columns, which a route is read from.
     pub rows: Vec<(String, Vec<f64>)>,

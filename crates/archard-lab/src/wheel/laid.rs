@@ -1,7 +1,7 @@
 //! A measured profile laid on a worn one: what each zone wore, relative to what was computed.
 //!
 //! The depth at each point is a share of the computed one, a share for each zone, and how far the measured profile as a whole is moved and
-//! turned, which no file of a worn wheel tells: its unworn parts do. Least squares find all of it together. What is left of
+//! turned, which no file of a worn wheel says: its unworn parts do. Least squares find all of it together. What is left of
 //! neighbouring points goes together, so that points count as fewer: as those of an autoregressive series of first order. It may be more
 //! where the wheel is worn, as a computed shape differs from the measured one there: variances are those of White (Econometrica
 //! 48 (1980) 817).
@@ -121,10 +121,7 @@ impl Laid {
         let left: Vec<f64> =
             rows.iter().map(|row| row.measured - dot(&row.columns, found)).collect();
         let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
-        let together = left.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>();
-        let correlation = (together / square(&left).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0 - 1e-9);
-        // So many points count as one.
-        let series = (1.0 + correlation) / (1.0 - correlation);
+        let series = together(&left);
         let degrees = count / series - size as f64;
         if degrees < 1.0 {
             return Err(NotLaid::Short);
@@ -167,6 +164,15 @@ impl Laid {
             differs: chance < CHANCE,
         })
     }
+}
+
+/// So many values of a series count as one: the sum of its correlations up to the first that is not positive (C. J. Geyer, *Stat. Sci.* 7
+/// (1992) 473).
+fn together(values: &[f64]) -> f64 {
+    let product = |lag: usize| values.iter().zip(&values[lag..]).map(|(a, b)| a * b).sum::<f64>();
+    let all = product(0).max(f64::MIN_POSITIVE);
+    let correlations = (1..values.len()).map(|lag| product(lag) / all);
+    1.0 + 2.0 * correlations.take_while(|own| *own > 0.0).sum::<f64>()
 }
 
 /// The points that a profile reaches.
@@ -215,7 +221,7 @@ mod tests {
     use archard_rail::standard::{rail_60e1, wheel_s1002};
     use archard_rail::wear::{Journey, OperatingPoint, Route, WornProfile};
 
-    use super::{Laid, Zones};
+    use super::{Laid, Zones, together};
 
     const RADIUS: f64 = 0.46;
 
@@ -271,7 +277,7 @@ mod tests {
         done.worn.into_iter().next().unwrap().wheel
     }
 
-    /// A profile that lies elsewhere and has noise tells what each zone wore to within errors as large as they are said to be.
+    /// A profile that lies elsewhere and has noise gives the wear of each zone within errors as large as they are said to be.
     #[test]
     fn errors_of_shares_are_true() {
         let worn = worn();
@@ -304,5 +310,30 @@ mod tests {
             assert!((0.4..1.6).contains(&mean), "{mean}");
         }
         assert!(differ <= 9, "{differ}");
+    }
+
+    /// Of a series that follows its last value by a share r, (1 + r) / (1 - r) values count as one; of waves about as many as their length.
+    #[test]
+    fn values_that_follow_each_other_count_as_one() {
+        let mut random = fastrand::Rng::with_seed(5);
+        let mut normal = move || {
+            let (a, b) = (1.0 - random.f64(), random.f64());
+            (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
+        };
+        for share in [0.0, 0.5, 0.9] {
+            let mut last = 0.0;
+            let series: Vec<f64> = (0..20_000)
+                .map(|_| {
+                    last = share * last + normal();
+                    last
+                })
+                .collect();
+            let expected = (1.0 + share) / (1.0 - share);
+            assert!((together(&series) / expected - 1.0).abs() < 0.15, "{share}");
+        }
+        let white: Vec<f64> = (0..20_000).map(|_| normal()).collect();
+        // The mean of forty: correlations fall linearly, and add up to forty.
+        let smooth: Vec<f64> = white.windows(40).map(|own| own.iter().sum()).collect();
+        assert!((together(&smooth) / 40.0 - 1.0).abs() < 0.4, "{}", together(&smooth));
     }
 }

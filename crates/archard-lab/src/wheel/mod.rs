@@ -75,7 +75,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let mut slopes: Option<Vec<Matrix>> = None;
     for round in 0..ROUNDS {
         let at = at(&mut runs, (&targets, &logs), (&measured, zones), table)?;
-        // At first each zone goes by its own coefficient.
+        // At first each zone has its own coefficient.
         if round == 1 {
             slopes = Some(sensitivities(
                 &mut runs,

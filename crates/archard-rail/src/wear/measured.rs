@@ -1,6 +1,6 @@
 //! A measured profile held against one that wears.
 //!
-//! At each point of the unworn profile a ray along its normal meets the measured one. How far inwards that is tells the depth there, and
+//! At each point of the unworn profile a ray along its normal meets the measured one. The distance inwards is the depth there, and
 //! how far a profile that is laid on it wrongly is off.
 
 use super::WornProfile;

@@ -42,7 +42,7 @@ pub(super) struct Settled {
     pub grown: f64,
     pub scatter: Scatter,
     pub weights: Vec<f64>,
-    /// Readings that are debris or pile-up.
+    /// Readings next to the scar that are no part of the level: debris, pile-up, or wear that the computed shape does not reach.
     pub debris: Vec<bool>,
     /// Height (m) and tilt over the profile (m) of the line that heights lie on.
     pub level: [f64; 2],
@@ -56,8 +56,8 @@ pub(super) struct Settled {
 
 /// Noise, texture, misfit, and the correlation length of the last two.
 const VARIANCES: usize = 4;
-/// The logarithm of the growth has this share of the search's first step for the place, over the width: widths go with the cube root
-/// of a section where the body is round.
+/// The logarithm of the growth has so many times the first step of the place, over the width: widths go with the cube root of a section
+/// where the body is round.
 const BY_GROWTH: f64 = 3.0;
 
 /// Bounds of the logarithms of variances and lengths.
@@ -141,16 +141,7 @@ impl Settled {
         let mut debris = vec![false; blocks.len()];
         for round in 1..=ROUNDS {
             let likelihood = Likelihood { model, bounds: &bounds, weights: &weights, shift, grown };
-            let near = 0.02 / round as f64;
-            let mut found = likelihood.greatest(&logarithms, 0.0, near)?;
-            if round == 1 {
-                // The form as computed, which misses as much as there is: the likelihood has a summit there too.
-                let [noise, _, _, length] = logarithms;
-                let other = likelihood.greatest(&[noise, noise, 0.0, length], -grown.ln(), near)?;
-                if likelihood.cost(&other).ok()? < likelihood.cost(&found).ok()? {
-                    found = other;
-                }
-            }
+            let found = likelihood.greatest(&logarithms, 0.02 / round as f64)?;
             logarithms = bounds.within(&found);
             let gls = likelihood.fit(&found)?;
             let before = shift;
@@ -187,10 +178,10 @@ impl Settled {
 
 impl Likelihood<'_> {
     /// The numbers at which it is greatest, by J. A. Nelder's and R. Mead's simplex, from one around logarithms of variances, a place and a growth.
-    fn greatest(&self, logarithms: &[f64; VARIANCES], grown: f64, near: f64) -> Option<Vec<f64>> {
+    fn greatest(&self, logarithms: &[f64; VARIANCES], near: f64) -> Option<Vec<f64>> {
         // A factor of two each way for variances.
         let reach = [LN_2; VARIANCES].into_iter().chain([near, BY_GROWTH * near]);
-        let start: Vec<f64> = logarithms.iter().copied().chain([0.0, grown]).collect();
+        let start: Vec<f64> = logarithms.iter().copied().chain([0.0; 2]).collect();
         let corner = |(at, reach): (usize, f64)| {
             let mut corner = start.clone();
             corner[at] += reach;
@@ -221,8 +212,8 @@ fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
     (0..weights.len()).map(weight).collect()
 }
 
-/// Marks debris and pile-up next to the scar, which are no part of the level: neighbours that rise together by more than texture does there.
-/// What lies lower there is wear that the computed shape does not reach.
+/// Marks what is no part of the level next to the scar: neighbours that lie off together by more than texture there. Where they rise they
+/// are debris and pile-up, where they lie lower they are wear that the computed shape does not reach.
 fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &[f64]) {
     let unworn: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
     // The median of fewer may be that of debris.
@@ -237,7 +228,7 @@ fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &
     for at in 1..residuals.len() - 1 {
         let next: Vec<usize> = (at - 1..=at + 1).filter(|&own| worn[own] <= 0.0).collect();
         let mean = next.iter().map(|&own| residuals[own]).sum::<f64>() / next.len() as f64 - middle;
-        if worn[at] <= 0.0 && next.len() > 1 && mean > bound {
+        if worn[at] <= 0.0 && next.len() > 1 && mean.abs() > bound {
             // It reaches a reading into the scar.
             debris[at - 1..=at + 1].fill(true);
         }

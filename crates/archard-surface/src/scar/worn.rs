@@ -40,10 +40,13 @@ pub(super) struct Worn<'a> {
 
 impl<'a> Worn<'a> {
     pub fn of(model: &'a Model<'a>, settled: &'a Settled) -> Self {
-        let Settled { shift, grown, scatter, weights, level, residuals, gls, .. } = settled;
+        let Settled { shift, grown, scatter, level, residuals, gls, .. } = settled;
+        // Wear that the computed shape does not reach is no part of the level, and wear all the same.
+        let beyond = |at: usize| settled.debris[at] && residuals[at] < 0.0;
+        let weight = |at: usize| if beyond(at) { 1.0 } else { settled.weights[at] };
         let places = &model.blocks.places;
         let worn = model.worn(*shift, *grown);
-        let noise = |at: usize| scatter.noise * scatter.noise / weights[at];
+        let noise = |at: usize| scatter.noise * scatter.noise / weight(at);
         let size = places.len();
         let misfit = Mat::from_fn(size, size, |i, j| {
             worn[i] * worn[j] * scatter.misfit(places[i] - places[j])
@@ -57,7 +60,7 @@ impl<'a> Worn<'a> {
             let unworn =
                 (model.nominal)(places[at] - shift) + level[0] + level[1] * model.along[at];
             let smooth = model.blocks.heights[at] - noise(at) * solved[at];
-            unworn - if weights[at] > POOR { model.blocks.heights[at] } else { smooth }
+            unworn - if weight(at) > POOR { model.blocks.heights[at] } else { smooth }
         };
         let step = model.near(*grown);
         let slope = |place: &f64| {
