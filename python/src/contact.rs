@@ -1,5 +1,7 @@
 //! One contact of a case, solved once.
 
+use std::sync::{Arc, OnceLock};
+
 use archard::Contact;
 use archard::elastic::{Point, Pressed};
 use archard::motion::Motion;
@@ -27,14 +29,17 @@ pub struct Inside {
     /// The user's name for it.
     #[pyo3(get)]
     name: String,
-    pressed: Result<Pressed, String>,
+    contact: Arc<Contact>,
+    body: usize,
+    /// Found where it is asked for: of a body of finite shape that takes equations of their own.
+    pressed: OnceLock<Result<Pressed, String>>,
 }
 
 #[pymethods]
 impl Inside {
     /// Stresses (Pa) at places (m), six a place.
     fn at<'py>(&self, py: Python<'py>, places: Vec<[f64; 3]>) -> PyResult<Field2<'py>> {
-        let pressed = self.pressed()?;
+        let pressed = self.pressed(py)?;
         let point = |(number, place)| Point { name: format!("{number}"), place };
         let points: Vec<Point> = places.into_iter().enumerate().map(point).collect();
         let found = py.detach(|| pressed.points(&points));
@@ -48,7 +53,7 @@ impl Inside {
 
     /// Stresses (Pa) at a depth (m) below all pairs, six times as many.
     fn plane<'py>(&self, py: Python<'py>, depth: f64) -> PyResult<Field<'py>> {
-        let pressed = self.pressed()?;
+        let pressed = self.pressed(py)?;
         pressed.check(&[depth]).map_err(|error| PyValueError::new_err(error.to_string()))?;
         let plane = py.detach(|| pressed.plane(depth, &[0.0; 6]));
         Ok(PyArray1::from_vec(py, plane.concat()))
@@ -56,8 +61,10 @@ impl Inside {
 }
 
 impl Inside {
-    fn pressed(&self) -> PyResult<&Pressed> {
-        self.pressed.as_ref().map_err(|why| PyValueError::new_err(why.clone()))
+    fn pressed(&self, py: Python<'_>) -> PyResult<&Pressed> {
+        let find = || self.contact.below(self.body).map_err(|error| error.to_string());
+        let found = py.detach(|| self.pressed.get_or_init(find));
+        found.as_ref().map_err(|why| PyValueError::new_err(why.clone()))
     }
 }
 
@@ -83,6 +90,7 @@ pub fn solve_contact<'py>(py: Python<'py>, file: &CaseFile) -> PyResult<Solved<'
         Unsolved::Other(message) => PyValueError::new_err(message),
         Unsolved::Run(message) => RunError::new_err(message),
     })?;
+    let contact = Arc::new(contact);
     let frame = &contact.problem().frame;
     let place = |axis: usize| (0..frame.len()).map(|pair| frame.place(pair)[axis]).collect();
     let mut fields = vec![
@@ -105,7 +113,9 @@ pub fn solve_contact<'py>(py: Python<'py>, file: &CaseFile) -> PyResult<Solved<'
     let fields = fields.into_iter().map(|(name, field)| (name, PyArray1::from_vec(py, field)));
     let inside = [0, 1].map(|body| Inside {
         name: contact.problem().bodies[body].name.clone(),
-        pressed: contact.below(body).map_err(|error| error.to_string()),
+        contact: Arc::clone(&contact),
+        body,
+        pressed: OnceLock::new(),
     });
     Ok((frame.is_uniform().then(|| frame.elements()), fields.collect(), values, inside.into()))
 }

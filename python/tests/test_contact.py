@@ -140,3 +140,11 @@ def test_a_rigid_body_has_no_stress():
     with pytest.raises(ValueError, match="rigid"):
         solved.stress_at([0, 0, -1e-5], "ball")
     assert solved.stress_at([0, 0, -1e-5], "flat")[0, 2] < 0
+
+
+@pytest.mark.parametrize(("case", "body"), [("thrust_roller", "washer"), ("wavy_surface", "flat")])
+def test_stresses_that_are_not_known_are_refused(case: str, body: str):
+    """Strips are lines of their own, and surfaces that repeat themselves press each other all over."""
+    solved = archard.contact(case)
+    with pytest.raises(ValueError, match="strips|repeats"):
+        solved.stress_at([0, 0, -1e-5], body)

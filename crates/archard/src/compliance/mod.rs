@@ -66,6 +66,11 @@ pub trait Compliance: Debug + Send + Sync {
         slip::self_term(|tractions| self.apply(tractions), frame)
     }
 
+    /// Whether the surfaces repeat themselves with the frame, and tractions with them.
+    fn repeats(&self) -> bool {
+        false
+    }
+
     /// Whether tangential tractions displace the pairs along n, and pressures across it.
     fn couples(&self) -> bool {
         true

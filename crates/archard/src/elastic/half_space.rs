@@ -61,7 +61,7 @@ impl Pressed {
     }
 
     /// A half-space in contact, under tractions of the pairs (Pa) on body 1; `which` is its index, 0 or 1. `None` where it is no
-    /// half-space under a uniform frame.
+    /// half-space under a uniform frame, and of strips.
     pub fn in_contact(
         bodies: [&Body; 2],
         which: usize,
@@ -95,7 +95,9 @@ impl Pressed {
         frame: &ContactFrame,
         own: &VectorField,
     ) -> Option<Self> {
-        if Self::refuses(bodies, which).is_some() {
+        // Strips are lines of their own.
+        let strips = frame.is_line() && frame.elements()[1] > 1;
+        if strips || Self::refuses(bodies, which).is_some() {
             return None;
         }
         let depth = Body::depths(bodies, frame.size()[0])[which];

@@ -147,19 +147,20 @@ impl Contact {
     /// Stresses and displacements below the surface of a body, by its index 0 or 1, under the tractions of the contact.
     ///
     /// # Errors
-    /// If the body is rigid, meshed, or round as the other one: no half-space under a uniform frame stands for it.
+    /// If the body is rigid, meshed, or round as the other one, touches in strips or repeats itself with the frame: no half-space under a
+    /// uniform frame stands for it.
     pub fn below(&self, body: usize) -> Result<Pressed, ElasticError> {
         let problem = self.problem();
         let (bodies, frame) = (problem.bodies.each_ref(), &problem.frame);
-        if let Some(why) = Pressed::refuses(bodies, body) {
+        let repeats = "repeats itself with the frame: run its case with `output.stress`";
+        let refused = problem.compliance.repeats().then_some(repeats);
+        if let Some(why) = Pressed::refuses(bodies, body).or(refused) {
             return Err(ElasticError::Unknown { body, why });
         }
         let moved = (body, offsets(&problem.bodies, &problem.motion));
         let pressed = Pressed::with_ends(bodies, moved, frame, &problem.tractions(&self.state))?;
-        let why = "is no half-space under a uniform frame: run its case with `output.points`";
-        let pressed = pressed.ok_or(ElasticError::Unknown { body, why })?;
-        // A frame without an end repeats itself.
-        Ok(if frame.measure().closed { pressed.repeated() } else { pressed })
+        let why = "is no half-space under a uniform frame without strips: run its case with `output.points`";
+        pressed.ok_or(ElasticError::Unknown { body, why })
     }
 
     /// Depths (m) that one passage wears off each line of surfaces that pass; none where none pass.

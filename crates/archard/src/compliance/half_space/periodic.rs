@@ -197,6 +197,10 @@ impl Compliance for Periodic {
         self.own
     }
 
+    fn repeats(&self) -> bool {
+        true
+    }
+
     fn couples(&self) -> bool {
         self.couples
     }
