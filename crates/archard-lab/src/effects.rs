@@ -5,7 +5,7 @@
 //! scaled by what the tests show (Hartung & Knapp, Stat. Med. 20 (2001) 3875), with Student's t on n - 1 degrees of freedom.
 //! Where all v_i are equal this is the mean with its t interval, exactly.
 
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 /// What tests say together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,6 +74,11 @@ fn spread(values: &[f64]) -> f64 {
 /// Half the width of the 95 % interval, in standard deviations.
 pub fn factor(degrees: f64) -> f64 {
     student(degrees).inverse_cdf(0.975)
+}
+
+/// The same of a value whose standard deviation is known.
+pub fn known_factor() -> f64 {
+    Normal::standard().inverse_cdf(0.975)
 }
 
 /// How probable a ratio at least so far from zero is by chance.

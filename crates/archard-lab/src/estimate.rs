@@ -1,6 +1,6 @@
 //! k from tests: its median, its interval, that of the next test, and what they are made of.
 
-use super::effects::{Effects, factor};
+use super::effects::{Effects, factor, known_factor};
 use super::shape::{self, Exponent};
 use super::within::{Expected, Fitted, Test, Unfitted, correlation, shown, weights};
 
@@ -230,7 +230,8 @@ impl Study {
 impl Estimate {
     /// Whether the tests tell so little of k that it may as well be a tenth or ten times as large, whatever they scatter.
     pub fn is_flat(&self) -> bool {
-        let wide = |interval: [f64; 2]| (interval[1] / interval[0]).ln() > 2.0 * 1.96 * UNTOLD;
+        let wide =
+            |interval: [f64; 2]| (interval[1] / interval[0]).ln() > 2.0 * known_factor() * UNTOLD;
         self.tests.iter().all(|(_, _, interval)| interval.is_some_and(wide))
     }
 }

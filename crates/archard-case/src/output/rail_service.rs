@@ -48,10 +48,7 @@ impl RailPlan {
         travelled: &Travelled,
     ) -> Vec<Self> {
         let of_side = |&side: &Side| {
-            let reached = limits.iter().map(|limit| travelled.reached(limit, side));
-            let first = reached.fold([f64::INFINITY; 3], |least, own| {
-                [0, 1, 2].map(|run| least[run].min(own[run]))
-            });
+            let first = first_reached(limits.iter(), travelled, side);
             let limited = first[0].is_finite();
             let until = if limited { first } else { [1.0; 3] };
             let when = if limited { "limit" } else { "end" };
@@ -83,12 +80,19 @@ impl RailEconomy {
         let of_side = |&side: &Side| {
             // The thickness is one of its own.
             let others = limits.iter().filter(|limit| limit.column != "flange_thickness_m");
-            let reached = others.map(|limit| travelled.reached(limit, side));
-            let until = reached.fold([f64::INFINITY; 3], |least, own| {
-                [0, 1, 2].map(|run| least[run].min(own[run]))
-            });
+            let until = first_reached(others, travelled, side);
             Self { side, economy: travelled.economy(turning, thicknesses, side, until) }
         };
         sides.iter().map(of_side).collect()
     }
+}
+
+/// The share of the distance at which the first of some limits is reached in each of the three runs; without bound where none is.
+fn first_reached<'l>(
+    limits: impl Iterator<Item = &'l Limit>,
+    travelled: &Travelled,
+    side: Side,
+) -> [f64; 3] {
+    let reached = limits.map(|limit| travelled.reached(limit, side));
+    reached.fold([f64::INFINITY; 3], |least, own| [0, 1, 2].map(|run| least[run].min(own[run])))
 }

@@ -2,28 +2,25 @@
 //!
 //! The depth at each point is a share of the computed one, a share for each zone, and how far the measured profile as a whole is moved and
 //! turned, which no file of a worn wheel says: its unworn parts do. Least squares find all of it together. What is left of
-//! neighbouring points goes together, so that points count as fewer: as those of an autoregressive series of first order. It may be more
-//! where the wheel is worn, as a computed shape differs from the measured one there: variances are those of White (Econometrica
-//! 48 (1980) 817).
+//! neighbouring points is correlated, so that points count as fewer. It may be more where the wheel is worn, as a computed shape differs
+//! from the measured one there: variances are those of White (Econometrica 48 (1980) 817).
 
 use archard_rail::curve::Curve;
 use archard_rail::wear::{Held, WornProfile};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::super::effects::factor;
+use super::super::effects::{factor, known_factor};
 use super::super::joint::matrix::{Matrix, add_square, dot, power, times, zeros};
+use super::super::shape::REJECTED;
 
-/// Turn and shifts along y and z.
+/// The motions of a rigid profile: a turn, and shifts along y and z.
 const POSE: usize = 3;
-/// Rounds in which a profile is laid, and change of its place (m) at which it has settled: far below what is left of any reading.
+/// Rounds in which a profile is laid, at most, a choice of effort; and the change of its place (m) at which it has settled, a thousandth
+/// of what instruments resolve.
 const ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-9;
-/// Farthest place (m) of a wheel's profile from its origin, nearly.
+/// No point of a wheel's profile lies farther (m) from its origin, which is in the middle of 135 to 140 mm.
 const LEVER: f64 = 0.1;
-/// Two-sided 95 % of a normal distribution, in standard deviations.
-const NORMAL: f64 = 1.96;
-/// A shape is another one where chance would show it less often than this.
-const CHANCE: f64 = 0.05;
 
 /// A measured profile, laid on a worn one.
 #[derive(Debug, Clone)]
@@ -130,7 +127,7 @@ impl Laid {
         for (row, left) in rows.iter().zip(&left) {
             add_square(&mut spread, &row.columns, left * left);
         }
-        let widened = factor(degrees) / NORMAL;
+        let widened = factor(degrees) / known_factor();
         let scale = series * widened * widened * count / (count - size as f64);
         let shares = found[..size - POSE].to_vec();
         let covariance: Matrix = (0..shares.len())
@@ -161,7 +158,7 @@ impl Laid {
             covariance,
             pose,
             left: [seen, mean(&worn).sqrt()],
-            differs: chance < CHANCE,
+            differs: chance < REJECTED,
         })
     }
 }

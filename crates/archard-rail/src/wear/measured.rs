@@ -19,8 +19,6 @@ pub struct Held {
     pub at: [f64; 2],
     /// Unit vector out of the material.
     pub normal: [f64; 2],
-    /// Length (m) of the profile that it stands for.
-    pub length: f64,
     /// Computed depth (m) along the normal.
     pub depth: f64,
     /// How far (m) inwards the measured profile lies along the normal; `None` where it does not reach.
@@ -32,10 +30,9 @@ impl WornProfile {
     pub fn against(&self, measured: &Curve) -> Vec<Held> {
         let places = measured.samples(APART);
         let way: Vec<[f64; 2]> = places.into_iter().map(|along| measured.point(along)).collect();
-        let of = |((at, normal, length), depth): (([f64; 2], [f64; 2], f64), f64)| Held {
+        let of = |((at, normal), depth): (([f64; 2], [f64; 2]), f64)| Held {
             at,
             normal,
-            length,
             depth,
             measured: inwards(&way, at, normal),
         };

@@ -178,9 +178,9 @@ impl WornProfile {
         Profile { points: self.points.iter().map(|point| point.at).collect() }
     }
 
-    /// Each point of the unworn profile (m) with its normal and the length (m) that it stands for.
-    pub(super) fn stations(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2], f64)> {
-        self.points.iter().map(|point| (point.at, point.normal, point.length))
+    /// Each point of the unworn profile (m) with its normal.
+    pub(super) fn stations(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
+        self.points.iter().map(|point| (point.at, point.normal))
     }
 
     /// Depth (m) along the normal at each point.
