@@ -166,7 +166,8 @@ def fit(
             unit where both bodies wear, ``u_...`` for standard uncertainties, and ``load_N`` where tests have
             loads of their own. ``file`` names profiles (``x_mm`` or ``y_mm``, and ``z_um``) and height maps (all
             three), from which what is worn off is taken; their paths start from the folder of the CSV file, or
-            from the working directory.
+            from the working directory. Of a wheel on its rail: ``test``, ``distance_km``, ``file`` with the worn
+            profile, and ``side`` where both are computed.
         parameter: the key to be fitted, or several that are fitted together from all readings, as of a coating and
             of what is below it; if not given the coefficient of each body of which there are readings.
         columns: headers of other names, as ``{"depth": "Tiefe [um]"}``; ``x``, ``y`` and ``z`` are those of

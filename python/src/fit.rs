@@ -35,6 +35,10 @@ impl Following for Waited {
     fn observer(&mut self) -> &mut dyn Observer {
         self
     }
+
+    fn stops(&mut self) -> Option<Box<dyn StdError + Send + Sync>> {
+        self.0.load(Ordering::Relaxed).then(|| "interrupted".into())
+    }
 }
 
 /// A fit as JSON, in words and as CSV, by what is uncertain and what is assumed; runs go into the folder.

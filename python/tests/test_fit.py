@@ -225,3 +225,36 @@ def test_measured_tests_are_predicted():
     assert not rejected.values
     with pytest.raises(ValueError, match=r"set\.toml"):
         archard.validate(Path(__file__).parent)
+
+
+def test_a_worn_wheel_gives_its_coefficient(tmp_path):
+    """A wheel of one operating point, worn by a run with twice the coefficient."""
+    case = archard.Case("wheel_wear")
+    for key in ("until", "reprofiling", "motion.wheel_rail.route"):
+        del case[key]
+    case["frame"] = {"elements": 12}
+    case["motion.wheel_rail"] = {
+        "side": "right",
+        "wheel_load": "55 kN",
+        "speed": "25 m/s",
+        "shift": "2 mm",
+        "yaw": "1 mrad",
+        "distance": "20000 km",
+    }
+    case["body.wheel.wear"] = {"archard": {"coefficient": "4e-15 1/Pa"}}
+    worn = archard.rail.wear(case).profiles["wheel", "right"]
+    np.savetxt(
+        tmp_path / "worn.csv",
+        1e3 * np.column_stack([worn["y_worn_m"], worn["z_worn_m"]]),
+        delimiter=",",
+        header="y,z",
+        comments="",
+    )
+    case["body.wheel.wear.archard.coefficient"] = "2e-15 1/Pa"
+    data = {"test": ["A"], "distance_km": [20000], "file": [str(tmp_path / "worn.csv")]}
+    (found,) = archard.fit(case, data).coefficients
+    assert found.key == "body.wheel.wear.archard.coefficient"
+    low, high = found.interval
+    assert low < 4e-15 < high < 1.2 * low
+    with pytest.raises(ValueError, match="two bodies in contact"):
+        archard.fit("gear_flanks", data)

@@ -26,11 +26,6 @@ use crate::verdict;
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let file = diagnose::read(&arguments.case)?;
     let task = diagnose::checked(&file, arguments.quiet)?;
-    if let Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) = task {
-        return Err(Failure::wrong(
-            "a fit is one of two bodies in contact, which wear, or of a wheel on its rail",
-        ));
-    }
     let names = table::names(&arguments.column).map_err(Failure::wrong)?;
     // Columns of the surfaces that the table names.
     let (of_files, of_table): (Vec<_>, Vec<_>) =
@@ -74,10 +69,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         store: store.as_ref(),
         following: &mut follow,
     };
-    let found = match &task {
-        Task::WheelRail(_) => archard_lab::fit_wheel(&file, &table, request),
-        _ => archard_lab::fit(&file, &table, request),
-    };
+    let found = archard_lab::fit(&file, &table, request);
     follow.end();
     let found = found.map_err(|error| {
         if made {

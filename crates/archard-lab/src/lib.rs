@@ -1,7 +1,7 @@
 //! Wear coefficients from what was measured.
 //!
-//! [`fit`] holds a table of tests against runs of a case, [`fit_wheel`] profiles of railway wheels against runs of their route; [`Study::estimate`] is the statistics, for any model that says what
-//! readings should be at a k.
+//! [`fit`] holds a table of tests against runs of a case, of a railway wheel profiles against runs of its route;
+//! [`Study::estimate`] is the statistics, for any model that says what readings should be at a k.
 
 mod computed;
 mod curve;
@@ -32,12 +32,30 @@ pub use more::More;
 pub use next::{next_test, together};
 pub use outcome::{Coefficient, Fit, Shown};
 pub use runs::Following;
-pub use search::{Request, fit};
+pub use search::Request;
 pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
 pub use surfaces::{Files, Measured, Taken};
 pub use untold::Untold;
-pub use wheel::fit as fit_wheel;
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
+
+use archard_case::measured::Table;
+use archard_case::{CaseFile, Task};
+
+/// Fits the wear coefficients of a case to a table of measured tests: of two bodies in contact, or of a wheel on its rail. Of a wheel the
+/// table has the columns `test`, `distance`, `file` of the worn profile, and `side` where both sides are computed.
+///
+/// # Errors
+/// If case and table do not go together, a reading cannot be used, a run fails, or the tests do not tell a coefficient.
+pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
+    match file.task() {
+        Ok(Task::WheelRail(resolved)) => wheel::fit((file, &resolved.case), table, request),
+        Ok(Task::Cam(_) | Task::Elastic(_) | Task::Gear(_)) => Err(Error::Mismatch(
+            "a fit is one of two bodies in contact, which wear, or of a wheel on its rail".to_owned(),
+        )),
+        // What is wrong with the case is found there, too.
+        _ => search::fit(file, table, request),
+    }
+}
 
 #[cfg(test)]
 mod tests;

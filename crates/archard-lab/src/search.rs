@@ -53,11 +53,8 @@ pub struct Request<'a> {
     pub following: &'a mut dyn Following,
 }
 
-/// Fits the coefficients of a case to a table of measured tests.
-///
-/// # Errors
-/// If case and table do not go together, a reading cannot be used, a run fails, or the tests do not tell a coefficient.
-pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
+/// The coefficients of two bodies in contact.
+pub(super) fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
     let resolved = file.resolve().map_err(|problems| {
         let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
         Error::Mismatch(why.join("\n"))

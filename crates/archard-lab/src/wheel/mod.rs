@@ -52,13 +52,12 @@ struct Round {
     errors: Vec<Vec<f64>>,
 }
 
-/// The coefficients of a wheel by a table with the columns `test`, `distance`, `file` of the worn profile, and `side` where both sides are
-/// computed.
-///
-/// # Errors
-/// If case and table do not go together, a profile cannot be used, a run fails, or the profiles do not tell a coefficient.
-pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
-    let case = wheel_of(file)?;
+/// The coefficients of a wheel.
+pub(super) fn fit(
+    (file, case): (&CaseFile, &WheelRailCase),
+    table: &Table,
+    request: Request<'_>,
+) -> Result<Fit, Error> {
     if !request.parameters.is_empty() || !request.uncertain.is_empty() {
         return Err(Error::Mismatch(
             "of a wheel on its rail the coefficients of the tread and of the flange are fitted, without further uncertainties: leave \
@@ -66,10 +65,10 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
                 .to_owned(),
         ));
     }
-    let targets = targets(&case)?;
-    rail_is_told(&case, request.assumed)?;
-    let measured = measured(&case, table, &request)?;
-    let mut runs = Runs::of(file, &case, &mut *request.following)?;
+    let targets = targets(case)?;
+    rail_is_told(case, request.assumed)?;
+    let measured = measured(case, table, &request)?;
+    let mut runs = Runs::of(file, case, &mut *request.following)?;
     let zones = Zones(if targets.len() > 1 { runs.flange_from() } else { None });
     let mut logs: Vec<f64> = targets.iter().map(|own| own.value.ln()).collect();
     let mut slopes: Option<Vec<Matrix>> = None;

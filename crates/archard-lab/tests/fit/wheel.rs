@@ -7,7 +7,7 @@ use std::path::Path;
 
 use archard_case::measured::Table;
 use archard_case::{CaseFile, Task};
-use archard_lab::{Error, Files, Fit, Request, fit_wheel};
+use archard_lab::{Error, Files, Fit, Request, fit};
 
 use super::made::{Normal, Until};
 
@@ -74,7 +74,7 @@ fn worn(file: &CaseFile, [tread, flange]: [f64; 2], seed: u64) -> String {
 
 fn fitted(file: &CaseFile, dir: &Path, table: &str, assumed: &[String]) -> Result<Fit, Error> {
     let table = Table::read("wheels.csv", table.as_bytes()).unwrap();
-    fit_wheel(
+    fit(
         file,
         &table,
         Request {
