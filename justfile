@@ -109,6 +109,8 @@ bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb1
 # solve the same contacts by Archard, ASPHER, Tamaas and ContactMechanics, into the book
 peers:
     python3 benches/peers/peers.py
+    python3 benches/peers/bodies.py
+    python3 benches/peers/rolling.py
 
 # all that has to pass before a merge
 ci:

@@ -1,8 +1,8 @@
-"""The same contacts by Archard and by its peers, as the page `book/src/peers.md`: python3 benches/peers/peers.py.
+"""The same contacts by Archard and its peers, for `book/src/peers.md`: python3 benches/peers/peers.py.
 
-The packages of `requirements.txt` and the Python package of this repository are installed into `target/peers`, then each solves each
-problem in processes of its own on one thread, by turns. The page has times as ratios of a turn, and what all pressures are worth by
-one measure.
+The packages of `requirements.txt` and the Python package of this repository are installed into `target/peers`,
+then each solves each problem in processes of its own on one thread, by turns. The page has times as ratios of a
+turn, and what all pressures are worth by one measure.
 """
 
 import json
@@ -14,11 +14,9 @@ import venv
 from importlib import metadata
 from pathlib import Path
 
-HERE = Path(__file__).parent
-ROOT = HERE.parents[1]
+from page import HERE, ONE_THREAD, ROOT, put, table
+
 ENVIRONMENT = ROOT / "target" / "peers"
-PAGE = ROOT / "book" / "src" / "peers.md"
-ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "RAYON_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
 
 PEERS = ("Archard", "ASPHER", "Tamaas", "ContactMechanics")
 TURNS = 5
@@ -158,12 +156,12 @@ def measure(problem):
     return {peer: (*found[peer], [turn[peer] for turn in turns]) for peer in PEERS}
 
 
-def table(problem, measured):
+def rows(problem, measured):
     """The rows of a problem."""
     import numpy as np
 
     reference = measured["Archard"][1]
-    lines = []
+    found = []
     for peer, (tolerance, pressures, left, times) in measured.items():
         pairs = zip(times, measured["Archard"][3], strict=True)
         ratios = [own[1] / archard[1] for own, archard in pairs]
@@ -171,42 +169,37 @@ def table(problem, measured):
         if problem["radius"]:
             exact, peak = hertz_pressure(problem)
             off = [np.sqrt(np.mean((pressures - exact)[exact > 0] ** 2)) / peak, pressures.max() / peak - 1]
-            told = f"{100 * off[0]:.4f} | {100 * off[1]:+.4f}"
+            told = [f"{100 * off[0]:.4f}", f"{100 * off[1]:+.4f}"]
         else:
             apart = np.abs(pressures - reference).max() / reference.max()
-            told = f"{np.mean(pressures > 0):.8f} | {np.sum((pressures > 0) != (reference > 0))} | {apart:.1e}"
-        lines.append(
-            f"| {peer} | {tolerance:.0e} | {left:.1e} | {seconds[0]:.3f} | {seconds[1]:.3f} "
-            f"| {np.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f}) | {told} |"
+            told = [f"{np.mean(pressures > 0):.8f}", np.sum((pressures > 0) != (reference > 0)), f"{apart:.1e}"]
+        ratio = f"{np.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+        found.append(
+            [peer, f"{tolerance:.0e}", f"{left:.1e}", f"{seconds[0]:.3f}", f"{seconds[1]:.3f}", ratio, *told]
         )
-    return lines
+    return found
 
 
-def page():
-    """Measure everything and write the page."""
-    columns = "| package | tolerance | residual | preparing s | solving s | solving / Archard |"
-    hertzian, shared = (
-        " rms error of p, % of p0 | largest p off p0, % |",
-        " area / frame | other pairs | largest difference of p |",
-    )
+def main():
+    """Measure everything and write the section."""
+    columns = ["package", "tolerance", "residual", "preparing s", "solving s", "solving / Archard"]
+    hertzian = ["rms error of p, % of p0", "largest p off p0, %"]
+    shared = ["area / frame", "other pairs", "largest difference of p"]
     versions = ", ".join(f"{peer} {metadata.version(peer)}" for peer in PEERS)
-    lines = [
-        (HERE / "head.md").read_text("utf-8").format(versions=versions, turns=TURNS, residual=f"{RESIDUAL:.0e}")
-    ]
+    head = (HERE / "contacts.md").read_text("utf-8")
+    lines = [head.format(versions=versions, turns=TURNS, residual=f"{RESIDUAL:.0e}")]
     for title, make, sizes, more in (("Hertz", hertz, (256, 512), hertzian), ("Rough", rough, (256, 512), shared)):
         for n in sizes:
             problem = make(n)
-            heads = columns + more
-            section = [f"## {title}, {n} x {n}", "", heads, "|" + "---|" * (heads.count("|") - 1)]
-            section += [*table(problem, measure(problem)), ""]
+            section = [f"**{title}, {n} x {n}**", "", *table(columns + more, rows(problem, measure(problem))), ""]
             print(*section, sep="\n", flush=True)
             lines += section
-    PAGE.write_text("\n".join(lines).rstrip() + "\n", "utf-8")
+    put("Half-spaces", lines)
 
 
 if __name__ == "__main__":
     if "--here" in sys.argv:
-        page()
+        main()
     else:
         # Another package of Archard, such as a wheel, may be named.
         environment(sys.argv[1] if len(sys.argv) > 1 else ROOT / "python")

@@ -1,7 +1,8 @@
-"""Archard against the reference program of rolling, as a section of `book/src/peers.md`: python3 benches/peers/rolling.py.
+"""Archard and CONTACT on rolling discs, for `book/src/peers.md`: python3 benches/peers/rolling.py.
 
-`rolling.csv` has fifteen contacts of discs and what CONTACT (github.com/eve70a/CONTACT, d431cdb) computes of them, extrapolated over grids of 20 to
-`finest` elements across, with a standard error, and its CPU seconds on 60 elements. Signs are Archard's.
+`rolling.csv` has fifteen contacts of discs and what CONTACT (github.com/eve70a/CONTACT, d431cdb) computes of
+them, extrapolated over grids of 20 to `finest` elements across, with a standard error, and its CPU seconds on
+60 elements. Signs are Archard's.
 """
 
 import csv
@@ -39,8 +40,16 @@ def young(row, body):
     return 2 * float(row[f"G{body}_MPa"]) * (1 + float(row[f"nu{body}"]))
 
 
+#: Columns of the history and of the bank that are compared, with the standard error.
+VALUES = (
+    ("force_x_N", "Fx_N", "se_Fx"),
+    ("force_y_N", "Fy_N", "se_Fy"),
+    ("frictional_power_per_speed_N", "power_per_speed_N", "se_P"),
+)
+
+
 def compared(archard, row):
-    """A contact by both: forces over mu F and power over itself, in per cent, and seconds."""
+    """How far Archard is off, its stated error and twice the standard error of each value, over mu F or the power; and its seconds."""
     with tempfile.TemporaryDirectory() as folder:
         text = CASE.format(**row, young_1=young(row, 1), young_2=young(row, 2))
         Path(folder, "case.toml").write_text(text, "utf-8")
@@ -49,31 +58,41 @@ def compared(archard, row):
         with Path(folder, "run", "history.csv").open(encoding="utf-8", newline="") as file:
             *_, last = csv.DictReader(file)
     force = float(row["mu"]) * float(row["load_N"])
-    cells = [row["name"]]
-    for ours, theirs, error, scale in (
-        ("force_x_N", "Fx_N", "se_Fx", force),
-        ("force_y_N", "Fy_N", "se_Fy", force),
-        ("frictional_power_per_speed_N", "power_per_speed_N", "se_P", float(row["power_per_speed_N"])),
-    ):
-        off = float(last[ours]) - float(row[theirs])
-        told = [float(last[f"error_of_{ours}"]), 2 * float(row[error])]
-        cells.append(f"{100 * off / scale:+.2f} ({100 * told[0] / scale:.2f}, {100 * told[1] / scale:.2f})")
-    return [*cells, f"{seconds:.2f}", f"{float(row['seconds_on_60']):.2f}"]
+    found = []
+    for (ours, theirs, error), scale in zip(VALUES, (force, force, float(row["power_per_speed_N"])), strict=True):
+        off = abs(float(last[ours]) - float(row[theirs]))
+        found.append(
+            [100 * value / scale for value in (off, float(last[f"error_of_{ours}"]), 2 * float(row[error]))]
+        )
+    print(row["name"], *(f"{value:.3f}" for value in sum(found, [])), f"{seconds:.2f} s", flush=True)
+    return found, seconds
+
+
+def summary(name, contacts):
+    """A row: how many, the largest differences, in how many both errors cover all, and the seconds of both."""
+    covered = sum(all(off <= own + other for off, own, other in found) for found, _, _ in contacts)
+    largest = [max(found[at][0] for found, _, _ in contacts) for at in range(len(VALUES))]
+    ours, theirs = (sum(contact[at] for contact in contacts) for at in (1, 2))
+    cells = (f"{off:.2f}" for off in largest)
+    return [name, len(contacts), *cells, covered, f"{ours:.1f}", f"{theirs:.1f}"]
 
 
 def main():
     """Compare all contacts and write the section."""
     archard = page.archard()
+    groups = {"like": [], "unlike": []}
     with (page.HERE / "rolling.csv").open(encoding="utf-8", newline="") as file:
-        rows = [compared(archard, row) for row in csv.DictReader(file)]
-    heads = ["contact", "along, % of mu F", "across, % of mu F", "power, %", "Archard s", "CONTACT s"]
+        for row in csv.DictReader(file):
+            group = "like" if row["G1_MPa"] == row["G2_MPa"] else "unlike"
+            groups[group].append((*compared(archard, row), float(row["seconds_on_60"])))
+    heads = ["bodies", "contacts", "along", "across", "power", "covered", "Archard s", "CONTACT s"]
     said = [
-        "Discs that creep and spin (`benches/peers/rolling.csv`), by `accuracy = 0.01` and by CONTACT, extrapolated over its grids: how far Archard is off;"
-        " in brackets the error that it states and twice the standard error of the extrapolation."
-        " Seconds are CPU time, Archard's of whole runs with its search for elements, CONTACT's on 60 elements, .2 to .7 % from its limit, on another day.",
+        "Discs that creep and spin (`benches/peers/rolling.csv`), by `accuracy = 0.01` and by"
+        " [CONTACT](https://github.com/eve70a/CONTACT), extrapolated over its grids: the largest differences, % of mu F and of the power, and how"
+        " many the errors of both cover. Seconds are CPU time, CONTACT's on 60 elements, another day.",
         "",
     ]
-    page.put("Rolling", [*said, *page.table(heads, rows)])
+    page.put("Rolling", [*said, *page.table(heads, [summary(*group) for group in groups.items()])])
 
 
 if __name__ == "__main__":

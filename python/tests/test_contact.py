@@ -142,9 +142,13 @@ def test_a_rigid_body_has_no_stress():
     assert solved.stress_at([0, 0, -1e-5], "flat")[0, 2] < 0
 
 
-@pytest.mark.parametrize(("case", "body"), [("thrust_roller", "washer"), ("wavy_surface", "flat")])
-def test_stresses_that_are_not_known_are_refused(case: str, body: str):
-    """Strips are lines of their own, and surfaces that repeat themselves press each other all over."""
-    solved = archard.contact(case)
-    with pytest.raises(ValueError, match="strips|repeats"):
-        solved.stress_at([0, 0, -1e-5], body)
+def test_stresses_of_strips_are_refused():
+    """Strips are lines of their own."""
+    with pytest.raises(ValueError, match="strips"):
+        archard.contact("thrust_roller").stress_at([0, 0, -1e-5], "washer")
+
+
+def test_stresses_of_surfaces_that_repeat_themselves_are_refused():
+    """They press each other all over."""
+    with pytest.raises(ValueError, match="repeats"):
+        archard.contact("wavy_surface").stress_at([0, 0, -1e-5], "flat")
