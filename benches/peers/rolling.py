@@ -87,9 +87,8 @@ def main():
             groups[group].append((*compared(archard, row), float(row["seconds_on_60"])))
     heads = ["bodies", "contacts", "along", "across", "power", "covered", "Archard s", "CONTACT s"]
     said = [
-        "Discs that creep and spin (`benches/peers/rolling.csv`), by `accuracy = 0.01` and by"
-        " [CONTACT](https://github.com/eve70a/CONTACT), extrapolated over its grids: the largest differences, % of mu F and of the power, and how"
-        " many the errors of both cover. Seconds are CPU time, CONTACT's on 60 elements, another day.",
+        "Discs that creep and spin, by `accuracy = 0.01` and by [CONTACT](https://github.com/eve70a/CONTACT), extrapolated over its grids:"
+        " largest differences, % of mu F and of the power, and how many both errors cover. CPU seconds, CONTACT's on 60 elements, another day.",
         "",
     ]
     page.put("Rolling", [*said, *page.table(heads, [summary(*group) for group in groups.items()])])
