@@ -200,6 +200,22 @@ impl Influence {
         })
     }
 
+    /// What the displacement under a unit pressure on an element, felt from its middle, changes by with the square of the distance
+    /// (1/(Pa m)); zero of the element itself.
+    pub(super) fn by_square(&self) -> Vec<f64> {
+        let ([nx, ny], [a, b]) = (self.elements, self.half);
+        let value = |index: usize| {
+            let (x, y) = (2.0 * a * (index % nx) as f64, 2.0 * b * (index / nx) as f64);
+            let square = x * x + y * y;
+            let images = self.images.iter();
+            let images = images
+                .map(|image| image.scalars[2] / (square + image.depth * image.depth).powf(1.5));
+            let sum = self.constants.normal / square.powf(1.5) + images.sum::<f64>();
+            if index == 0 { 0.0 } else { -2.0 * a * b * sum }
+        };
+        (0..nx * ny).into_par_iter().with_min_len(1024).map(value).collect()
+    }
+
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
     /// elements away: as if all of it stood at its farthest corner, or edge. Layers may rise next to what presses them: there is
     /// none.
