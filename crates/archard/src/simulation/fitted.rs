@@ -1,6 +1,8 @@
 //! What does not fit bodies that fit into each other: a solid or rigid ball in whatever is around it, a rigid shaft in layers on something
 //! rigid, without friction, which stay opposite each other.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::refusal::{Part, Refusal};
 use crate::body::profile::{Fitted, Round};
 use crate::body::{Body, Profile};
@@ -56,6 +58,11 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
             return material(outer, what, help);
         }
         _ => {}
+    }
+    if wrap.rim < FRAC_PI_2 && (outer.layers.is_empty() || outer.material.is_some()) {
+        let what = "has a rim near the contact, which is known of layers on something rigid alone";
+        let help = "give its wall as `layers` with `substrate = \"rigid\"`, or leave `rim` out";
+        return Some(Refusal::new(Part::Profile(outer.name.clone()), what, help));
     }
     let round = (wrap.round, wrap.radius);
     if let Some(why) = HalfSpace::refuses_round(outer.material.as_ref(), &outer.layers, round) {

@@ -60,7 +60,7 @@ impl Constants {
 /// Influence coefficients at offsets zero and greater, `[i + elements_x j]`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Influence {
-    constants: Constants,
+    pub(super) constants: Constants,
     elements: [usize; 2],
     /// Half the size of an element along x and y (m).
     half: [f64; 2],
@@ -68,7 +68,7 @@ pub(super) struct Influence {
     /// an element.
     depths: Option<[f64; 3]>,
     /// What layers add.
-    images: Arc<[Image]>,
+    pub(super) images: Arc<[Image]>,
 }
 
 impl Influence {
