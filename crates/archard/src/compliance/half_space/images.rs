@@ -28,6 +28,8 @@ use super::influence::Corner;
 use super::sphere;
 use super::stack::{Scalars, Stack};
 use crate::body::profile::Round;
+use crate::body::{Layer, Material};
+use crate::frame::Wrap;
 
 /// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
 /// missed is computed, and bounded by `MISSED`.
@@ -102,6 +104,32 @@ impl Image {
         let d = self.depth;
         2.0 * x * (x / d).atan() - d * (x * x + d * d).ln()
     }
+}
+
+/// The images of balls, of what is around them and of layers. What couples pressures and friction has the sign of body 1.
+pub(super) fn of_bodies(
+    materials: [Option<&Material>; 2],
+    layers: [&[Layer]; 2],
+    wrap: Option<Wrap>,
+) -> Vec<Image> {
+    let of = |body: usize| {
+        let hollow = wrap.filter(|wrap| wrap.hollow == body).map(|wrap| (wrap.round, wrap.radius));
+        let (layers, base) = (layers[body], materials[body]);
+        let stack = Stack { layers, base, hollow };
+        let images = match (wrap.filter(|wrap| wrap.round == Round::Sphere), base, layers) {
+            (Some(wrap), Some(material), _) if wrap.hollow != body => {
+                sphere::ball(material, wrap.radius).0
+            }
+            (Some(_), Some(_), _) | (_, _, [_, ..]) => images(&stack).0,
+            _ => vec![],
+        };
+        let sign = if body == 0 { 1.0 } else { -1.0 };
+        images.into_iter().map(move |image| Image {
+            scalars: [0, 1, 2, 3].map(|i| if i == 1 { sign } else { 1.0 } * image.scalars[i]),
+            ..image
+        })
+    };
+    of(0).chain(of(1)).collect()
 }
 
 /// The images of a stack, and by how much they miss its compliance at most, relative to that of its uppermost layer; none, and

@@ -20,11 +20,10 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use crate::body::profile::Round;
 use crate::body::{Layer, Material};
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Flow, Part, VectorField, Wrap};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 use curved::{Bending, Curved};
-use images::Image;
 pub(in crate::compliance) use influence::Constants;
 use influence::Influence;
 use part::WholeOrPart;
@@ -81,7 +80,7 @@ impl HalfSpace {
     ) -> Self {
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::new(constants, frame.elements(), frame.spacing());
-        let images = images(materials, layers, frame.wrap());
+        let images = images::of_bodies(materials, layers, frame.wrap());
         Self::on(influence.layered(images), Curved::of(frame))
     }
 
@@ -96,7 +95,7 @@ impl HalfSpace {
         let (elements, width) = (frame.elements(), frame.spacing()[0]);
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::plane_strain(constants, materials, depths, elements, width);
-        Self::on(influence.layered(images(materials, layers, frame.wrap())), None)
+        Self::on(influence.layered(images::of_bodies(materials, layers, frame.wrap())), None)
     }
 
     /// Why layers on a material are not computed, if they are not: their images miss the compliance.
@@ -331,32 +330,6 @@ fn uppermost<'a>(
     layers: [&'a [Layer]; 2],
 ) -> [Option<&'a Material>; 2] {
     [0, 1].map(|body| layers[body].first().map(|layer| &layer.material).or(materials[body]))
-}
-
-/// The images of balls, of what is around them and of layers. What couples pressures and friction has the sign of body 1.
-fn images(
-    materials: [Option<&Material>; 2],
-    layers: [&[Layer]; 2],
-    wrap: Option<Wrap>,
-) -> Vec<Image> {
-    let of = |body: usize| {
-        let hollow = wrap.filter(|wrap| wrap.hollow == body).map(|wrap| (wrap.round, wrap.radius));
-        let (layers, base) = (layers[body], materials[body]);
-        let stack = Stack { layers, base, hollow };
-        let images = match (wrap.filter(|wrap| wrap.round == Round::Sphere), base, layers) {
-            (Some(wrap), Some(material), _) if wrap.hollow != body => {
-                sphere::ball(material, wrap.radius).0
-            }
-            (Some(_), Some(_), _) | (_, _, [_, ..]) => images::images(&stack).0,
-            _ => vec![],
-        };
-        let sign = if body == 0 { 1.0 } else { -1.0 };
-        images.into_iter().map(move |image| Image {
-            scalars: [0, 1, 2, 3].map(|i| if i == 1 { sign } else { 1.0 } * image.scalars[i]),
-            ..image
-        })
-    };
-    of(0).chain(of(1)).collect()
 }
 
 /// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side. A choice of memory.
