@@ -13,10 +13,10 @@ pub use bounds::{
     Accuracy, BY_HALF, EDGES, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, angle, apart, balance,
     clearance, climbs, complete, conformity, constant, contact, creepage, edges, energy,
     first_contact, flanks, form, friction, gathered, hardness, heat, image, lateral, layers,
-    length, load, measured, mesh, missing, modulus, nadal, next_test, of_run, radius, reshaped,
-    roughness, settled, shakedown, shaken, shape, shared, shear_yield, side, slenderness, slope,
-    stated, stations, stick_zone, strips, temperature, time, tip, touch, volume, warned, worn,
-    yields,
+    length, load, map, measured, mesh, missing, modulus, nadal, next_test, of_run, radius,
+    reshaped, rim, roughness, settled, shakedown, shaken, shape, shared, shear_yield, side,
+    slenderness, slope, stated, stations, stick_zone, strips, temperature, time, tip, touch,
+    volume, warned, worn, yields,
 };
 pub use line::{Bound, Line, Word, four};
 pub use warning::Warning;

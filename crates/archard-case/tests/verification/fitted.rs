@@ -12,18 +12,34 @@ use crate::common::states;
 
 /// Radius, clearance and thickness (mm), Young's modulus (MPa), Poisson's ratio, load (N), then approach (mm), largest pressure (MPa)
 /// and the angle of the edge (degrees) of axisymmetric finite elements: nine nodes, frictionless, bonded outside, the rim free at a
-/// right angle. They are converged to 3e-5; their edge is known to an element, a degree.
-const SOCKETS: &[[f64; 9]] = &[
-    [14.0, 0.1, 8.0, 1000.0, 0.4, 300.0, 0.01498, 3.8769, 26.0],
-    [14.0, 0.1, 8.0, 1000.0, 0.4, 3000.0, 0.05884, 14.742, 47.5],
-    [14.0, 0.1, 3.0, 1000.0, 0.4, 300.0, 0.00937, 5.6669, 22.0],
-    [14.0, 0.1, 3.0, 1000.0, 0.4, 3000.0, 0.03298, 21.010, 40.0],
-    [14.0, 0.1, 8.0, 1000.0, 0.46, 300.0, 0.01351, 4.0698, 25.0],
-    [14.0, 0.1, 8.0, 1000.0, 0.46, 3000.0, 0.04965, 15.585, 46.0],
-    [18.0, 0.15, 6.0, 700.0, 0.45, 300.0, 0.01355, 3.4223, 22.0],
-    [18.0, 0.15, 6.0, 700.0, 0.45, 3000.0, 0.04590, 12.837, 39.0],
-    [14.0, 0.02, 8.0, 1000.0, 0.4, 300.0, 0.00762, 1.9049, 40.0],
-    [14.0, 0.02, 8.0, 1000.0, 0.4, 3000.0, 0.03741, 9.4669, 66.0],
+/// right angle, converged to 3e-5, their edge known to an element, a degree. Then approach and pressure of whole shells, by harmonics as
+/// below: the rim adds up to 0.9 and 0.3 %.
+const SOCKETS: &[[f64; 11]] = &[
+    [14.0, 0.1, 8.0, 1000.0, 0.4, 300.0, 0.01498, 3.8769, 26.0, 0.014985, 3.87742],
+    [14.0, 0.1, 8.0, 1000.0, 0.4, 3000.0, 0.05884, 14.742, 47.5, 0.058792, 14.7377],
+    [14.0, 0.1, 3.0, 1000.0, 0.4, 300.0, 0.00937, 5.6669, 22.0, 0.0093686, 5.66548],
+    [14.0, 0.1, 3.0, 1000.0, 0.4, 3000.0, 0.03298, 21.010, 40.0, 0.0329854, 21.0103],
+    [14.0, 0.1, 8.0, 1000.0, 0.46, 300.0, 0.01351, 4.0698, 25.0, 0.013490, 4.07034],
+    [14.0, 0.1, 8.0, 1000.0, 0.46, 3000.0, 0.04965, 15.585, 46.0, 0.049219, 15.5456],
+    [18.0, 0.15, 6.0, 700.0, 0.45, 300.0, 0.01355, 3.4223, 22.0, 0.013546, 3.42171],
+    [18.0, 0.15, 6.0, 700.0, 0.45, 3000.0, 0.04590, 12.837, 39.0, 0.045867, 12.8332],
+    [14.0, 0.02, 8.0, 1000.0, 0.4, 300.0, 0.00762, 1.9049, 40.0, 0.007615, 1.90468],
+    [14.0, 0.02, 8.0, 1000.0, 0.4, 3000.0, 0.03741, 9.4669, 66.0, 0.037309, 9.45107],
+];
+
+/// Radius and clearance (mm), Young's modulus (MPa) and Poisson's ratio of the ball, thickness of what is around it (mm; on something rigid,
+/// or without end), its modulus and ratio, load (N), then approach (mm), largest pressure (MPa) and the angle of the edge (degrees) by sums
+/// of Legendre's polynomials on rings, pressures linear in the cosine between them. 250 and 400 rings agree to 2e-5. The ball's own sums
+/// agree with axisymmetric finite elements under a body force to 1e-5.
+const BALLS: &[[f64; 11]] = &[
+    [14.0, 0.03, 210e3, 0.3, 4.0, 210e3, 0.3, 3000.0, 0.00263605, 69.449, 19.27],
+    [16.0, 0.05, 380e3, 0.23, 5.0, 380e3, 0.23, 3000.0, 0.00221628, 105.54, 13.39],
+    [14.0, 0.05, 210e3, 0.3, f64::INFINITY, 110e3, 0.34, 3000.0, 0.00509966, 67.884, 19.17],
+    [14.0, 0.1, 210e3, 0.3, 8.0, 1000.0, 0.4, 3000.0, 0.0591132, 14.6797, 47.93],
+    [14.0, 0.1, 3500.0, 0.36, 4.0, 3500.0, 0.36, 300.0, 0.0118428, 5.17078, 22.64],
+    [14.0, 0.1, 3500.0, 0.36, 4.0, 3500.0, 0.36, 3000.0, 0.0443427, 15.8562, 44.15],
+    [14.0, 0.1, 1000.0, 0.4, 8.0, 1000.0, 0.4, 3000.0, 0.0991401, 9.58447, 61.80],
+    [14.0, 0.1, 1000.0, 0.4, 0.0, 1000.0, 0.4, 3000.0, 0.0688619, 10.2670, 56.25],
 ];
 
 /// Two bodies that fit into each other (mm), the outer one a layer (mm, MPa) on something rigid.
@@ -35,32 +51,110 @@ fn bodies(round: Round, [radius, clearance, thickness]: [f64; 3], layer: [f64; 2
     [inner, Body::new("outer", fitted(radius + clearance, true)).layers([layer])]
 }
 
+/// Approach (mm), largest pressure (MPa) and angle of the edge (degrees) of a ball of some radius (mm) under a load (N), on a frame that
+/// reaches as far as some angle.
+fn pressed(bodies: [Body; 2], radius: f64, load: f64, reach: f64) -> [f64; 3] {
+    let planned = Indentation::new(1).under(Control::Load(load)).unwrap();
+    let reach = 2.0 * radius * 1e-3 * (0.5 * reach.to_radians()).sin();
+    let simulation =
+        Simulation::builder(bodies, planned).frame([2.0 * reach; 2], [129; 2]).build().unwrap();
+    let (state, ..) = states(&simulation).unwrap().pop().unwrap();
+    let frame = &simulation.problem.frame;
+    let peak = state.pressure.iter().copied().fold(0.0, f64::max);
+    let area = frame.area_where(|pair| state.pressure[pair] > 0.0);
+    let edge = 2.0 * (0.5 * (area / std::f64::consts::PI).sqrt() / (1e-3 * radius)).asin();
+    [1e3 * state.approach, 1e-6 * peak, edge.to_degrees()]
+}
+
 #[test]
 fn balls_in_sockets_are_as_by_finite_elements() {
-    for &[radius, clearance, thickness, young, poisson, load, approach, pressure, angle] in SOCKETS
+    for &[
+        radius,
+        clearance,
+        thickness,
+        young,
+        poisson,
+        load,
+        approach,
+        pressure,
+        angle,
+        whole,
+        peak,
+    ] in SOCKETS
     {
         let bodies = bodies(Round::Sphere, [radius, clearance, thickness], [young, poisson]);
-        let planned = Indentation::new(1).under(Control::Load(load)).unwrap();
-        let reach = 2.0 * radius * 1e-3 * (0.5 * (angle + 8.0).to_radians()).sin();
-        let simulation =
-            Simulation::builder(bodies, planned).frame([2.0 * reach; 2], [129; 2]).build().unwrap();
-        let (state, ..) = states(&simulation).unwrap().pop().unwrap();
-        let frame = &simulation.problem.frame;
-        let peak = state.pressure.iter().copied().fold(0.0, f64::max);
-        let area = frame.area_where(|pair| state.pressure[pair] > 0.0);
-        let edge = 2.0 * (0.5 * (area / std::f64::consts::PI).sqrt() / (1e-3 * radius)).asin();
-        let off = [1e3 * state.approach / approach - 1.0, 1e-6 * peak / pressure - 1.0];
+        let found = pressed(bodies, radius, load, angle + 8.0);
+        let off = [approach, pressure, whole, peak];
+        let off: [f64; 4] = std::array::from_fn(|i| found[i % 2] / off[i] - 1.0);
         println!(
-            "{radius} {clearance} {thickness} {young} {poisson} {load}: approach {:.5} {:+.2} %, pressure {:.4} {:+.2} %, edge {:.1} for {angle}",
-            1e3 * state.approach,
-            1e2 * off[0],
-            1e-6 * peak,
-            1e2 * off[1],
-            edge.to_degrees()
+            "{radius} {clearance} {thickness} {young} {poisson} {load}: {found:?}, off {off:?}"
         );
-        assert!(off[0].abs() < 5e-3 && off[1].abs() < 6e-3);
-        assert!((edge.to_degrees() - angle).abs() < 1.2);
+        assert!(off[0].abs() < 9e-3 && off[1].abs() < 3e-3);
+        assert!(off[2].abs() < 1e-3 && off[3].abs() < 1e-3);
+        assert!((found[2] - angle).abs() < 1.2);
     }
+}
+
+#[test]
+fn elastic_balls_are_as_by_harmonics() {
+    for &[
+        radius,
+        clearance,
+        own,
+        ratio,
+        thickness,
+        young,
+        poisson,
+        load,
+        approach,
+        pressure,
+        angle,
+    ] in BALLS
+    {
+        let layer = if thickness.is_finite() { thickness.max(1.0) } else { 1.0 };
+        let [ball, socket] = bodies(Round::Sphere, [radius, clearance, layer], [young, poisson]);
+        let ball = ball.material(Material::new(1e6 * own, ratio).unwrap());
+        let socket = match thickness {
+            f64::INFINITY => Body { layers: vec![], ..socket }
+                .material(Material::new(1e6 * young, poisson).unwrap()),
+            0.0 => Body { layers: vec![], ..socket },
+            _ => socket,
+        };
+        let found = pressed([ball, socket], radius, load, angle + 4.0);
+        let off = [found[0] / approach - 1.0, found[1] / pressure - 1.0];
+        println!(
+            "{radius} {clearance} {own} {thickness} {young} {load}: {found:?}, off {:+.3} % and {:+.3} %",
+            1e2 * off[0],
+            1e2 * off[1],
+        );
+        assert!(off[0].abs() < 6e-3 && off[1].abs() < 4e-3);
+        assert!((found[2] - angle).abs() < 0.4);
+    }
+}
+
+/// A contact that is small for both bodies is Hertz's, but for parts of the order of its size over the radius.
+#[test]
+fn small_contacts_in_sockets_are_hertzian() {
+    let (radius, clearance, load) = (14.0, 0.05, 3e-4);
+    let [ball, socket] = bodies(Round::Sphere, [radius, clearance, 1.0], [110e3, 0.34]);
+    let ball = ball.material(Material::new(210e9, 0.3).unwrap());
+    let socket = Body { layers: vec![], ..socket }.material(Material::new(110e9, 0.34).unwrap());
+    let modulus = 1.0 / ((1.0 - 0.3 * 0.3) / 210e3 + (1.0 - 0.34 * 0.34) / 110e3);
+    let curvature = 1.0 / radius - 1.0 / (radius + clearance);
+    let half = (0.75 * load / curvature / modulus).cbrt();
+    let found = pressed([ball, socket], radius, load, 1.3 * (half / radius).to_degrees());
+    println!(
+        "{found:?} {half} {} {}",
+        1.5 * load / half / half / std::f64::consts::PI,
+        half * half * curvature
+    );
+    assert_relative_eq!(
+        found[1],
+        1.5 * load / (std::f64::consts::PI * half * half),
+        max_relative = 6e-3
+    );
+    assert_relative_eq!(found[0], half * half * curvature, max_relative = 6e-3);
+    assert_relative_eq!(found[2].to_radians() * radius, half, max_relative = 6e-3);
 }
 
 /// A shaft in a thin bush: columns, each of them a ring under an even pressure, p = K (d cos theta - c) with d the distance of the axes,
@@ -206,4 +300,17 @@ fn bushes_of_a_case_grow_with_their_contact() {
     assert_within(&row, "wear_depth_bush_m", (0.1e-3, 2e-8), "bush");
     let angle = f64::acos(1.0 / 3.0).to_degrees();
     assert_within(&row, "edge_angle_deg", (angle, 1e-2), "bush");
+}
+
+/// A metal head in a metal cup as a user writes it, on a frame that follows: harmonics on rings, for cups of 4 mm on something rigid.
+#[test]
+fn heads_of_metal_in_cups_of_metal_are_a_case() {
+    let case = "accuracy = 0.01\n[body.head]\nmaterial = { young = \"210 GPa\", poisson = 0.3 }\nprofile.ball.radius = \"14 mm\"\n\
+        [body.cup]\nlayers = [{ thickness = \"4 mm\", young = \"210 GPa\", poisson = 0.3 }]\nsubstrate = \"rigid\"\n\
+        profile.socket = { radius = \"14.03 mm\", rim = \"45 deg\" }\n\
+        [motion.indentation]\nload = \"3 kN\"\n";
+    let row = answer(case, &[]);
+    assert_within(&row, "peak_pressure_Pa", (69.449e6, 69.449e6 * 1e-3), "head");
+    assert_within(&row, "approach_m", (2.63605e-6, 2.63605e-6 * 1e-3), "head");
+    assert_within(&row, "edge_angle_deg", (19.27, 0.02), "head");
 }

@@ -20,6 +20,8 @@ pub struct Wrap {
     pub clearance: f64,
     /// The body that is hollow: 0 or 1.
     pub hollow: usize,
+    /// Angle (rad) from the pole to the nearest place of its rim.
+    pub rim: f64,
 }
 
 impl Wrap {
@@ -31,7 +33,8 @@ impl Wrap {
         let [inner, outer] = if hollow == 1 { [one, two] } else { [two, one] };
         let clearance = outer.radius - inner.radius;
         let fits = outer.hollow && !inner.hollow && clearance > 0.0 && one.round == two.round;
-        fits.then_some(Self { round: one.round, radius: inner.radius, clearance, hollow })
+        let (radius, rim) = (inner.radius, outer.rim);
+        fits.then_some(Self { round: one.round, radius, clearance, hollow, rim })
     }
 
     /// The cosine of the angle from the pole at a place (m): how much of the approach closes the gap there. Not a number beyond the
@@ -110,7 +113,7 @@ mod tests {
             (Round::Cylinder, [-std::f64::consts::FRAC_PI_3, 0.3]),
         ] {
             for hollow in [0, 1] {
-                let wrap = Wrap { round, radius: 1.0, clearance: 0.1, hollow };
+                let wrap = Wrap { round, radius: 1.0, clearance: 0.1, hollow, rim: 1.0 };
                 let [a, b, c] = wrap.basis(place);
                 let cross = [
                     a[1] * b[2] - a[2] * b[1],

@@ -1,5 +1,7 @@
-//! What does not fit bodies that fit into each other: they are rigid inside and layered outside, without friction, and stay opposite
-//! each other.
+//! What does not fit bodies that fit into each other: a solid or rigid ball in whatever is around it, a rigid shaft in layers on something
+//! rigid, without friction, which stay opposite each other.
+
+use std::f64::consts::FRAC_PI_2;
 
 use super::refusal::{Part, Refusal};
 use crate::body::profile::{Fitted, Round};
@@ -40,18 +42,30 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
         let what = format!("is meshed, and the contact of a {inside} is drawn on its surface");
         return material(body, what, "leave the mesh out, or give both bodies one and no profile");
     }
-    if inner.uppermost().is_some() {
-        let what = format!("is elastic: a {inside} in a {outside} is rigid");
-        let help = "write `rigid = true`, which holds for metal or ceramic on a polymer; give bodies of like stiffness meshes";
-        return material(inner, what, help);
+    match wrap.round {
+        Round::Sphere if !inner.layers.is_empty() => {
+            let what = format!("has layers: a {inside} in a {outside} is solid");
+            return material(inner, what, "leave them out, or give both bodies meshes");
+        }
+        Round::Cylinder if inner.uppermost().is_some() => {
+            let what = format!("is elastic: a {inside} in a {outside} is rigid");
+            let help = "write `rigid = true`, which holds for metal or ceramic on a polymer; give bodies of like stiffness meshes";
+            return material(inner, what, help);
+        }
+        Round::Cylinder if outer.layers.is_empty() || outer.material.is_some() => {
+            let what = format!("is no layer on something rigid, as a {outside} has");
+            let help = "give its wall as `layers = [{ thickness = .., .. }]` with `substrate = \"rigid\"`, or give both bodies meshes";
+            return material(outer, what, help);
+        }
+        _ => {}
     }
-    if outer.layers.is_empty() || outer.material.is_some() {
-        let what = format!("is no layer on something rigid, as a {outside} has");
-        let help = "give its wall as `layers = [{ thickness = .., .. }]` with `substrate = \"rigid\"`, or give both bodies meshes";
-        return material(outer, what, help);
+    if wrap.rim < FRAC_PI_2 && (outer.layers.is_empty() || outer.material.is_some()) {
+        let what = "has a rim near the contact, which is known of layers on something rigid alone";
+        let help = "give its wall as `layers` with `substrate = \"rigid\"`, or leave `rim` out";
+        return Some(Refusal::new(Part::Profile(outer.name.clone()), what, help));
     }
     let round = (wrap.round, wrap.radius);
-    if let Some(why) = HalfSpace::refuses_round(&outer.layers, round) {
+    if let Some(why) = HalfSpace::refuses_round(outer.material.as_ref(), &outer.layers, round) {
         return material(outer, why, "");
     }
     let (frame, help) = match wrap.round {

@@ -61,7 +61,10 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
         _ => parts.motion.increments().map_or(0.0, |shift| of_a_cycle(parts, shift)),
     };
     let wider = KERNEL * parts.case.doubles.len() as f64;
-    let fields = KERNEL + histories * SOLVE + wider + friction;
+    // Chords of a sphere take two kernels with their fields and five vectors.
+    let fitted = parts.bodies.iter().all(|body| body.profile.fitted().is_some());
+    let chords = if fitted && !parts.case.frame.line { 2.0 * KERNEL + 5.0 } else { 0.0 };
+    let fields = KERNEL + histories * SOLVE + wider + friction + chords;
     BYTES_OF_THE_PROGRAM + meshed + of_factors(parts) + bytes(fields * pairs)
 }
 

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{keep, worst};
 use crate::verdict::{self, Line};
 use archard::body::Body;
+use archard::body::profile::Round;
 use archard::estimate::Conforming;
 use archard::frame::{ContactFrame, VectorField};
 use archard::problem::{ContactProblem, Flash};
@@ -30,6 +31,10 @@ pub(super) struct Limits {
     /// Where the frame is drawn on a round surface: how far the contact reaches (degrees), and the clearance over the radius.
     angle: Option<f64>,
     clearance: Option<f64>,
+    /// How far (degrees) it reaches on an elastic ball.
+    ball: Option<f64>,
+    /// The least way to the rim of a layered socket, over the thickness of its layers.
+    rim: Option<f64>,
     /// There, the force that is left across the axis of the load, over the load.
     side: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
@@ -96,7 +101,16 @@ impl Limits {
         worst(&mut self.slope, conforming.map(|own| own.slope));
         if let Some(wrap) = frame.wrap() {
             let reach = wrap.closing(if frame.is_line() { [x, 0.0] } else { [x.max(y), 0.0] });
-            worst(&mut self.angle, Some(reach.clamp(-1.0, 1.0).acos().to_degrees()));
+            let angle = reach.clamp(-1.0, 1.0).acos().to_degrees();
+            worst(&mut self.angle, Some(angle));
+            let inner = &problem.bodies[1 - wrap.hollow];
+            let elastic = wrap.round == Round::Sphere && inner.uppermost().is_some();
+            worst(&mut self.ball, elastic.then_some(angle));
+            let thick = problem.bodies[wrap.hollow].coated();
+            if wrap.round == Round::Sphere && thick > 0.0 {
+                let room = (wrap.rim - angle.to_radians()) * wrap.radius / thick;
+                self.rim = Some(self.rim.map_or(room, |known| known.min(room)));
+            }
             self.clearance = Some(wrap.clearance / wrap.radius);
         }
         if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
@@ -119,6 +133,8 @@ impl Limits {
             self.slope.map(verdict::slope),
             self.angle.map(verdict::angle),
             self.clearance.map(verdict::clearance),
+            self.rim.map(verdict::rim),
+            self.ball.map(verdict::map),
             self.side.map(verdict::side),
             self.length.map(verdict::length),
             self.strips.map(verdict::strips),

@@ -52,6 +52,8 @@ pub struct Fitted {
     pub radius: f64,
     /// Whether the other one fits into it.
     pub hollow: bool,
+    /// Angle (rad) from the pole to the nearest place of its rim: a right angle, but of a socket that is tilted.
+    pub rim: f64,
 }
 
 pub(super) const BALL: Choice<Box<dyn Profile>> = Choice {
@@ -64,8 +66,12 @@ pub(super) const BALL: Choice<Box<dyn Profile>> = Choice {
 pub(super) const SOCKET: Choice<Box<dyn Profile>> = Choice {
     name: "socket",
     meaning: "a spherical hollow that a `ball` fits into; its layers are spherical too",
-    parameters: &[RADIUS],
-    build: |values| built(values, Round::Sphere, true),
+    parameters: &[RADIUS, RIM],
+    build: |values| {
+        let radius = values.require("radius")?;
+        let socket = Fitted::new(Round::Sphere, radius, true)?;
+        Ok(Box::new(values.number("rim").map_or(Ok(socket), |rim| socket.with_rim(rim))?))
+    },
 };
 
 pub(super) const SHAFT: Choice<Box<dyn Profile>> = Choice {
@@ -89,6 +95,13 @@ const RADIUS: Parameter = Parameter::required(
 )
 .bound(Bound::Positive);
 
+const RIM: Parameter = Parameter::optional(
+    "rim",
+    Quantity::Angle,
+    "angle from the load to the nearest place of the rim; 90 deg if not given, 45 deg of a half sphere that is tilted by 45 deg",
+)
+.bound(Bound::UpTo(0.0, FRAC_PI_2));
+
 fn built(values: &Values, round: Round, hollow: bool) -> Result<Box<dyn Profile>, Invalid> {
     Ok(Box::new(Fitted::new(round, values.require("radius")?, hollow)?))
 }
@@ -99,7 +112,15 @@ impl Fitted {
     /// # Errors
     /// If the radius is not greater than zero.
     pub fn new(round: Round, radius: f64, hollow: bool) -> Result<Self, Invalid> {
-        Ok(Self { round, radius: RADIUS.admit(radius)?, hollow })
+        Ok(Self { round, radius: RADIUS.admit(radius)?, hollow, rim: FRAC_PI_2 })
+    }
+
+    /// The same surface with a rim that comes as near to the pole as an angle (rad).
+    ///
+    /// # Errors
+    /// If the angle is not greater than zero or is more than a right angle.
+    pub fn with_rim(self, rim: f64) -> Result<Self, Invalid> {
+        Ok(Self { rim: RIM.admit(rim)?, ..self })
     }
 }
 

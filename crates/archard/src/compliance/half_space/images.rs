@@ -25,14 +25,18 @@ use std::f64::consts::PI;
 use faer::Mat;
 
 use super::influence::Corner;
+use super::sphere;
 use super::stack::{Scalars, Stack};
+use crate::body::profile::Round;
+use crate::body::{Layer, Material};
+use crate::frame::Wrap;
 
 /// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
 /// missed is computed, and bounded by `MISSED`.
 pub(super) const COUNT: usize = 32;
 /// The same of round layers, whose compliance approaches that of a half-space by 1/(kR) as waves become shorter, and the depth of the
 /// first one over the radius: shells and rings of a fiftieth to twice their radius are met to 1e-5.
-const ROUND: (usize, f64) = (48, 1e-3);
+pub(super) const ROUND: (usize, f64) = (48, 1e-3);
 /// Wave numbers that the weights are fitted on, for each image.
 pub(super) const SAMPLES: usize = 25;
 /// The depth of the first image over the thickness of the uppermost layer, and that of the last over the reach of the stack.
@@ -102,9 +106,38 @@ impl Image {
     }
 }
 
+/// The images of balls, of what is around them and of layers. What couples pressures and friction has the sign of body 1.
+pub(super) fn of_bodies(
+    materials: [Option<&Material>; 2],
+    layers: [&[Layer]; 2],
+    wrap: Option<Wrap>,
+) -> Vec<Image> {
+    let of = |body: usize| {
+        let hollow = wrap.filter(|wrap| wrap.hollow == body).map(|wrap| (wrap.round, wrap.radius));
+        let (layers, base) = (layers[body], materials[body]);
+        let stack = Stack { layers, base, hollow };
+        let images = match (wrap.filter(|wrap| wrap.round == Round::Sphere), base, layers) {
+            (Some(wrap), Some(material), _) if wrap.hollow != body => {
+                sphere::ball(material, wrap.radius).0
+            }
+            (Some(_), Some(_), _) | (_, _, [_, ..]) => images(&stack).0,
+            _ => vec![],
+        };
+        let sign = if body == 0 { 1.0 } else { -1.0 };
+        images.into_iter().map(move |image| Image {
+            scalars: [0, 1, 2, 3].map(|i| if i == 1 { sign } else { 1.0 } * image.scalars[i]),
+            ..image
+        })
+    };
+    of(0).chain(of(1)).collect()
+}
+
 /// The images of a stack, and by how much they miss its compliance at most, relative to that of its uppermost layer; none, and
 /// without bound, where their equations have no solution.
 pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
+    if let Some((Round::Sphere, radius)) = stack.hollow {
+        return sphere::hollow(stack, radius);
+    }
     let (reach, thickness) = (stack.reach(), stack.layers[0].thickness);
     let (count, first) = match stack.hollow {
         Some((_, radius)) => (ROUND.0, (DEPTHS[0] * thickness).min(ROUND.1 * radius)),
@@ -116,7 +149,7 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     let (top, bottom) = (stack.top(), stack.bottom());
     let less_top = |scalars: Scalars| -> Scalars { [0, 1, 2, 3].map(|i| scalars[i] - top[i]) };
     let wanted: Vec<Scalars> = waves.iter().map(|&k| less_top(stack.compliance(k))).collect();
-    let fitted = fit((&depths, reach), &waves, (&wanted, less_top(bottom)));
+    let fitted = fit((&depths, reach), &waves, (&wanted, Some(less_top(bottom))));
     let Some((weights, missed)) = fitted else { return (vec![], f64::INFINITY) };
     let image = |(depth, weights): (&f64, Scalars)| Image {
         depth: *depth,
@@ -125,12 +158,12 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     (depths.iter().zip(weights).map(image).collect(), missed / top[2])
 }
 
-/// Weights of exponentials of these depths (m) whose sum is what is wanted at the waves (1/m), and in the limit of the longest; by how much
+/// Weights of exponentials of these depths (m) whose sum is what is wanted at the waves (1/m), and in the limit of the longest where there is one; by how much
 /// they miss it at most. `None` where their equations have no solution.
 pub(super) fn fit<const N: usize>(
     (depths, reach): (&[f64], f64),
     waves: &[f64],
-    (wanted, longest): (&[[f64; N]], [f64; N]),
+    (wanted, longest): (&[[f64; N]], Option<[f64; N]>),
 ) -> Option<(Vec<[f64; N]>, f64)> {
     // The longest waves count as what they do to displacements.
     let weight = |row: usize| match waves.get(row) {
@@ -141,9 +174,10 @@ pub(super) fn fit<const N: usize>(
         Some(k) => (-k * depths[image]).exp(),
         None => 1.0,
     };
-    let (rows, count) = (waves.len() + 1, depths.len());
+    let sought: Vec<[f64; N]> = wanted.iter().copied().chain(longest).collect();
+    let (rows, count) = (sought.len(), depths.len());
     let terms = Mat::from_fn(rows, count, |row, image| weight(row) * term(row, image));
-    let sums = Mat::from_fn(rows, N, |row, i| weight(row) * wanted.get(row).unwrap_or(&longest)[i]);
+    let sums = Mat::from_fn(rows, N, |row, i| weight(row) * sought[row][i]);
     let weights = least_squares(&terms, &sums)?;
     let missed = wanted.iter().enumerate().flat_map(|(row, wanted)| {
         let (weights, term) = (&weights, &term);

@@ -60,7 +60,7 @@ impl Constants {
 /// Influence coefficients at offsets zero and greater, `[i + elements_x j]`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Influence {
-    constants: Constants,
+    pub(super) constants: Constants,
     elements: [usize; 2],
     /// Half the size of an element along x and y (m).
     half: [f64; 2],
@@ -68,7 +68,7 @@ pub(super) struct Influence {
     /// an element.
     depths: Option<[f64; 3]>,
     /// What layers add.
-    images: Arc<[Image]>,
+    pub(super) images: Arc<[Image]>,
 }
 
 impl Influence {
@@ -198,6 +198,22 @@ impl Influence {
             let images = self.images.iter().map(|image| image.scalars[2] * image.normal(corner));
             normal * (corner.fxx() + corner.fyy()) + images.sum::<f64>()
         })
+    }
+
+    /// What the displacement under a unit pressure on an element, felt from its middle, changes by with the square of the distance
+    /// (1/(Pa m)); zero of the element itself.
+    pub(super) fn by_square(&self) -> Vec<f64> {
+        let ([nx, ny], [a, b]) = (self.elements, self.half);
+        let value = |index: usize| {
+            let (x, y) = (2.0 * a * (index % nx) as f64, 2.0 * b * (index / nx) as f64);
+            let square = x * x + y * y;
+            let images = self.images.iter();
+            let images = images
+                .map(|image| image.scalars[2] / (square + image.depth * image.depth).powf(1.5));
+            let sum = self.constants.normal / square.powf(1.5) + images.sum::<f64>();
+            if index == 0 { 0.0 } else { -2.0 * a * b * sum }
+        };
+        (0..nx * ny).into_par_iter().with_min_len(1024).map(value).collect()
     }
 
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many

@@ -1,29 +1,32 @@
 //! Two elastic half-spaces: the uniform tractions of rectangular elements (Boussinesq, Cerruti, Love), or of strips in
 //! plane strain (Flamant), summed by fast convolution; with layers as images at depths below the surface.
 
+mod curved;
 mod differences;
 mod images;
 mod influence;
 pub mod inside;
+mod part;
 mod periodic;
 mod rolling;
 mod round;
 mod shifting;
+mod sphere;
 mod stack;
 
 use std::fmt;
-use std::ops::Deref;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::body::profile::Round;
 use crate::body::{Layer, Material};
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Flow, Part, VectorField, Wrap};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
-use images::Image;
+use curved::{Bending, Curved};
 pub(in crate::compliance) use influence::Constants;
 use influence::Influence;
+use part::WholeOrPart;
 pub use periodic::Periodic;
 use rolling::Rolling;
 use shifting::Shifting;
@@ -39,6 +42,9 @@ const MISSED: f64 = 1e-4;
 pub struct HalfSpace {
     influence: Influence,
     convolution: Convolution,
+    /// Where the elements lie on a sphere; `None` of a plane frame or an arc.
+    curved: Option<Curved>,
+    bending: OnceLock<Bending>,
     normal: OnceLock<Spectrum>,
     /// xx, xy and yy.
     tangential: OnceLock<[Spectrum; 3]>,
@@ -62,11 +68,11 @@ impl fmt::Debug for HalfSpace {
 impl HalfSpace {
     /// The half-spaces of these materials under the elements of a frame; `None` for a rigid body.
     pub fn new(materials: [Option<&Material>; 2], frame: &ContactFrame) -> Self {
-        Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()))
+        Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()), None)
     }
 
     /// The half-spaces of these materials, `None` for something rigid, under layers from the surface down. Where the frame is drawn
-    /// on a [round surface](crate::frame::Wrap), those of the hollow body are round too.
+    /// on a [round surface](crate::frame::Wrap), the bodies and their layers are round too.
     pub fn layered(
         materials: [Option<&Material>; 2],
         layers: [&[Layer]; 2],
@@ -74,7 +80,8 @@ impl HalfSpace {
     ) -> Self {
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::new(constants, frame.elements(), frame.spacing());
-        Self::on(influence.layered(images(materials, layers, frame.wrap())))
+        let images = images::of_bodies(materials, layers, frame.wrap());
+        Self::on(influence.layered(images), Curved::of(frame))
     }
 
     /// The half-spaces of these materials in plane strain, under the elements of a line of contact along y. Their
@@ -88,7 +95,7 @@ impl HalfSpace {
         let (elements, width) = (frame.elements(), frame.spacing()[0]);
         let constants = Constants::of(uppermost(materials, layers));
         let influence = Influence::plane_strain(constants, materials, depths, elements, width);
-        Self::on(influence.layered(images(materials, layers, frame.wrap())))
+        Self::on(influence.layered(images::of_bodies(materials, layers, frame.wrap())), None)
     }
 
     /// Why layers on a material are not computed, if they are not: their images miss the compliance.
@@ -96,9 +103,13 @@ impl HalfSpace {
         Self::misses(material, layers, None)
     }
 
-    /// The same of layers of a hollow of some radius (m) that are round too.
-    pub fn refuses_round(layers: &[Layer], hollow: (Round, f64)) -> Option<String> {
-        Self::misses(None, layers, Some(hollow))
+    /// The same around a hollow of some radius (m), of layers that are round too.
+    pub fn refuses_round(
+        material: Option<&Material>,
+        layers: &[Layer],
+        hollow: (Round, f64),
+    ) -> Option<String> {
+        Self::misses(material, layers, Some(hollow))
     }
 
     fn misses(
@@ -106,9 +117,10 @@ impl HalfSpace {
         layers: &[Layer],
         hollow: Option<(Round, f64)>,
     ) -> Option<String> {
-        let missed = match layers {
-            [] => 0.0,
-            layers => images::images(&Stack { layers, base, hollow }).1,
+        let missed = match (layers, base) {
+            ([], None) => 0.0,
+            ([], _) if hollow.is_none() => 0.0,
+            _ => images::images(&Stack { layers, base, hollow }).1,
         };
         (missed > MISSED || missed.is_nan()).then(|| {
             format!(
@@ -117,11 +129,13 @@ impl HalfSpace {
         })
     }
 
-    fn on(influence: Influence) -> Self {
+    fn on(influence: Influence, curved: Option<Curved>) -> Self {
         let convolution = Convolution::padded(influence.elements());
         Self {
             influence,
             convolution,
+            curved,
+            bending: OnceLock::new(),
             normal: OnceLock::new(),
             tangential: OnceLock::new(),
             coupling: OnceLock::new(),
@@ -133,8 +147,8 @@ impl HalfSpace {
     }
 
     /// On other elements, for which there is no work at the same time.
-    fn beside(&self, influence: Influence) -> Self {
-        let other = Self::on(influence);
+    fn beside(&self, influence: Influence, curved: Option<Curved>) -> Self {
+        let other = Self::on(influence, curved);
         Self { convolution: other.convolution.sharing_space(&self.convolution), ..other }
     }
 
@@ -190,16 +204,22 @@ impl HalfSpace {
 
     /// The same half-spaces under elements of twice the size, one more where their number is odd.
     pub(super) fn on_coarser(&self) -> &Arc<HalfSpace> {
-        self.coarser.get_or_init(|| Arc::new(self.beside(self.influence.coarser())))
+        let curved = self.curved.as_ref().map(Curved::coarser);
+        self.coarser.get_or_init(|| Arc::new(self.beside(self.influence.coarser(), curved)))
     }
 
-    /// The same half-spaces under that many elements, made anew where none of the last parts had as many.
+    /// The same half-spaces under that many elements of a plane frame, made anew where none of the last parts had as many.
     pub(super) fn part(&self, elements: [usize; 2]) -> Arc<HalfSpace> {
+        self.placed(elements, None)
+    }
+
+    /// The same under elements that lie there on a sphere.
+    fn placed(&self, elements: [usize; 2], curved: Option<Curved>) -> Arc<HalfSpace> {
         let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = parts.iter().position(|part| part.influence.elements() == elements);
-        let part = match known {
+        let is = |part: &Arc<Self>| part.influence.elements() == elements && part.curved == curved;
+        let part = match parts.iter().position(is) {
             Some(index) => parts.remove(index),
-            None => Arc::new(self.beside(self.influence.within(elements))),
+            None => Arc::new(self.beside(self.influence.within(elements), curved)),
         };
         if parts.len() == PARTS {
             parts.remove(0);
@@ -234,16 +254,33 @@ impl Compliance for HalfSpace {
         let kernels = [
             [(xx, 1.0), (xy, 1.0), (xn, 1.0)],
             [(xy, 1.0), (yy, 1.0), (yn, 1.0)],
-            [(xn, -1.0), (yn, -1.0), (self.normal(), 1.0)],
+            [
+                (xn, -1.0),
+                (yn, -1.0),
+                (self.normal(), if self.curved.is_some() { 0.0 } else { 1.0 }),
+            ],
         ];
         let mut displacements = VectorField::zeros(tractions.n.len());
         let VectorField { t1, t2, n } = &mut displacements;
         self.convolution.apply_matrix(kernels, tractions.components(), [t1, t2, n]);
+        if self.curved.is_some() {
+            let mut pressed = vec![0.0; tractions.n.len()];
+            self.apply_normal(&tractions.n, &mut pressed);
+            displacements.n.iter_mut().zip(pressed).for_each(|(up, own)| *up += own);
+        }
         displacements
     }
 
     fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
-        self.convolution.apply(self.normal(), pressure, displacement);
+        let normal = self.normal();
+        let bending = self.curved.as_ref().map(|curved| {
+            let made = || Bending::new(curved, &self.influence, &self.convolution);
+            self.bending.get_or_init(made)
+        });
+        match bending {
+            Some(own) => own.apply((&self.convolution, normal), pressure, displacement),
+            None => self.convolution.apply(normal, pressure, displacement),
+        }
     }
 
     fn normal_self_term(&self) -> f64 {
@@ -268,12 +305,14 @@ impl Compliance for HalfSpace {
     }
 
     fn within(&self, part: &Part) -> Option<Box<dyn Compliance + '_>> {
-        Some(Box::new(WholeOrPart::Part(self.part(part.size()))))
+        let curved = self.curved.as_ref().map(|curved| curved.within(&part.extent()));
+        Some(Box::new(WholeOrPart::Part(self.placed(part.size(), curved))))
     }
 
     fn on(&self, frame: &ContactFrame) -> Option<Arc<dyn Compliance>> {
         let elements = frame.elements();
-        self.influence.reaches(elements).then(|| self.part(elements) as Arc<dyn Compliance>)
+        let other = || self.placed(elements, Curved::of(frame)) as Arc<dyn Compliance>;
+        self.influence.reaches(elements).then(other)
     }
 
     fn coarser(&self) -> Option<&dyn Compliance> {
@@ -291,65 +330,6 @@ fn uppermost<'a>(
     layers: [&'a [Layer]; 2],
 ) -> [Option<&'a Material>; 2] {
     [0, 1].map(|body| layers[body].first().map(|layer| &layer.material).or(materials[body]))
-}
-
-/// The images of the layers of both bodies. What couples pressures and friction has the sign of body 1.
-fn images(
-    materials: [Option<&Material>; 2],
-    layers: [&[Layer]; 2],
-    wrap: Option<Wrap>,
-) -> Vec<Image> {
-    let of = |body: usize| {
-        let hollow = wrap.filter(|wrap| wrap.hollow == body).map(|wrap| (wrap.round, wrap.radius));
-        let stack = Stack { layers: layers[body], base: materials[body], hollow };
-        let images = if layers[body].is_empty() { vec![] } else { images::images(&stack).0 };
-        let sign = if body == 0 { 1.0 } else { -1.0 };
-        images.into_iter().map(move |image| Image {
-            scalars: [0, 1, 2, 3].map(|i| if i == 1 { sign } else { 1.0 } * image.scalars[i]),
-            ..image
-        })
-    };
-    of(0).chain(of(1)).collect()
-}
-
-/// Half-spaces of the whole frame, or of a part of it.
-#[derive(Debug)]
-enum WholeOrPart<'a> {
-    Whole(&'a HalfSpace),
-    Part(Arc<HalfSpace>),
-}
-
-impl Deref for WholeOrPart<'_> {
-    type Target = HalfSpace;
-
-    fn deref(&self) -> &HalfSpace {
-        match self {
-            WholeOrPart::Whole(half_space) => half_space,
-            WholeOrPart::Part(half_space) => half_space,
-        }
-    }
-}
-
-impl Compliance for WholeOrPart<'_> {
-    fn apply(&self, tractions: &VectorField) -> VectorField {
-        (**self).apply(tractions)
-    }
-
-    fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
-        (**self).apply_normal(pressure, displacement);
-    }
-
-    fn normal_self_term(&self) -> f64 {
-        (**self).normal_self_term()
-    }
-
-    fn couples(&self) -> bool {
-        (**self).couples()
-    }
-
-    fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
-        (**self).normal_preconditioner(addition)
-    }
 }
 
 /// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side. A choice of memory.

@@ -1,5 +1,5 @@
 //! How far the hollow of a round stack moves under a pressure that is a harmonic: layers that are shells of a sphere, or rings in plane
-//! strain, bonded to something rigid outside.
+//! strain, bonded to something rigid outside, or to a solid without end around a sphere.
 //!
 //! With s = ln r, u_r = U Y and the displacement along the surface V grad Y (Y: a harmonic, grad: that of the unit sphere or circle),
 //! and P = r sigma_rr / G, Q = r sigma_rt / G, equilibrium reads y' = A y for y = (U, V, P, Q), A constant within a layer. With
@@ -16,8 +16,8 @@
 //! by N, which is even in l + 1/2, so that a wave number k stands for the degree l = k R - 1/2 (of a circle n = k R), between whole ones
 //! as well: l = 0 is the even pressure on a thick shell. As l grows, the plane half-space comes out.
 
-use crate::body::Layer;
 use crate::body::profile::Round;
+use crate::body::{Layer, Material};
 
 /// From this k h on nothing is felt of what lies below a depth h, as in plane layers.
 const DEEP: f64 = 30.0;
@@ -26,9 +26,14 @@ const TERMS: usize = 40;
 
 type Matrix = [[f64; 4]; 4];
 
-/// The radial displacement (m) under a pressure of 1 Pa that varies with the wave number k (1/m) over a hollow of some radius (m),
-/// times k.
-pub(super) fn compliance((round, radius): (Round, f64), layers: &[Layer], k: f64) -> f64 {
+/// The radial displacement (m) under a pressure of 1 Pa that varies with the wave number k (1/m) over a hollow of some radius (m) in
+/// layers and what they are bonded to, `None` for something rigid, times k.
+pub(super) fn compliance(
+    (round, radius): (Round, f64),
+    layers: &[Layer],
+    base: Option<&Material>,
+    k: f64,
+) -> f64 {
     let degree = k * radius;
     let number = match round {
         Round::Sphere => degree * degree - 0.25,
@@ -36,11 +41,19 @@ pub(super) fn compliance((round, radius): (Round, f64), layers: &[Layer], k: f64
     };
     // Displacements and tractions along the surface in units that keep the numbers of A of one size.
     let scale = degree.max(1.0);
-    let mut outer = radius + layers.iter().map(|layer| layer.thickness).sum::<f64>();
+    // Each with its inner radius, from the hollow outwards; a solid without end is a wall without end.
+    let solid = base.map(|material| Layer { material: *material, thickness: f64::INFINITY });
+    let walls: Vec<(Layer, f64)> = (layers.iter().copied().chain(solid))
+        .scan(radius, |inner, layer| {
+            let own = *inner;
+            *inner += layer.thickness;
+            Some((layer, own))
+        })
+        .collect();
     let mut below = [[0.0; 2]; 2];
-    for layer in layers.iter().rev() {
+    for (layer, inner) in walls.into_iter().rev() {
         let shear = layer.material.shear_modulus();
-        let mut way = -(-layer.thickness / outer).ln_1p();
+        let mut way = (layer.thickness / inner).ln_1p();
         let mut inside = below.map(|row| row.map(|value| value * shear));
         if scale * way > DEEP {
             (inside, way) = ([[0.0; 2]; 2], DEEP / scale);
@@ -51,7 +64,6 @@ pub(super) fn compliance((round, radius): (Round, f64), layers: &[Layer], k: f64
             inside = above(&step, inside);
         }
         below = inside.map(|row| row.map(|value| value / shear));
-        outer -= layer.thickness;
     }
     -degree * below[0][0]
 }
@@ -120,7 +132,7 @@ mod tests {
     fn by_degree(round: Round, layers: &[Layer], degree: f64) -> f64 {
         let half = if round == Round::Sphere { 0.5 } else { 0.0 };
         let k = (degree + half) / 14e-3;
-        1e12 * compliance((round, 14e-3), layers, k) / k
+        1e12 * compliance((round, 14e-3), layers, None, k) / k
     }
 
     /// Sums of four powers of r that meet Navier's equation, by another program: four digits.
@@ -171,7 +183,7 @@ mod tests {
             }
             let k = 1e5 / 14e-3;
             let plane = 2.0 * (1.0 - 0.35 * 0.35) / 2e9;
-            let found = compliance((round, 14e-3), &both, k);
+            let found = compliance((round, 14e-3), &both, None, k);
             assert_relative_eq!(found, plane, max_relative = 1e-5);
         }
     }

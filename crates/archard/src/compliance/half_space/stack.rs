@@ -48,11 +48,10 @@ type Matrix<const N: usize> = [[f64; N]; N];
 /// Layers from the surface down, on a half-space, or on something rigid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stack<'a> {
-    /// One at least.
+    /// One at least, of a hollow on a base none as well.
     pub layers: &'a [Layer],
     pub base: Option<&'a Material>,
-    /// The radius (m) of a hollow whose layers are round too, on something rigid; `None` of plane layers. Its friction is that of
-    /// plane ones.
+    /// The radius (m) of a hollow whose layers are round too; `None` of plane layers. Its friction is that of plane ones.
     pub hollow: Option<(Round, f64)>,
 }
 
@@ -65,7 +64,7 @@ impl Stack<'_> {
             layers.fold(base, |below, layer| above(layer, below, k * layer.thickness).compliance);
         let Some(hollow) = self.hollow else { return plane };
         let [along, coupling, _, across] = plane;
-        [along, coupling, round::compliance(hollow, self.layers, k), across]
+        [along, coupling, round::compliance(hollow, self.layers, self.base, k), across]
     }
 
     /// The tractions of the waves that go down from the upper face of a layer and up from its lower one, for a wave number (1/m) of
@@ -113,7 +112,8 @@ impl Stack<'_> {
 
     /// That of the shortest waves, which is the half-space of the uppermost layer.
     pub fn top(&self) -> Scalars {
-        half_space(&self.layers[0].material)
+        let uppermost = self.layers.first().map(|layer| &layer.material);
+        uppermost.or(self.base).map_or([0.0; 4], half_space)
     }
 
     /// That of the longest waves, times their wave number.

@@ -128,7 +128,7 @@ impl Layers {
             let longest = rest(LONGEST * waves[0])[side];
             let waves = geometric(waves[0], waves[1], SAMPLES * COUNT);
             let wanted: Vec<Tractions> = waves.iter().map(|&k| rest(k)[side]).collect();
-            let fitted = fit((&behind, stack.reach()), &waves, (&wanted, longest));
+            let fitted = fit((&behind, stack.reach()), &waves, (&wanted, Some(longest)));
             let (weights, missed) = fitted.unwrap_or((vec![], f64::INFINITY));
             let image =
                 |(behind, tractions): (&f64, Tractions)| Image { behind: *behind, tractions };
