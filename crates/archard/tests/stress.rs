@@ -344,7 +344,7 @@ fn waves_of_pressure_pull_in_their_troughs() {
         let n = (0..frame.len()).map(|pair| -pressure(pair)).collect();
         let tractions = VectorField { t1: none.clone(), t2: none, n };
         let bodies = contact.problem().bodies.each_ref();
-        let pressed = Pressed::in_contact(bodies, 1, frame, &tractions).unwrap().repeated();
+        let pressed = Pressed::in_contact(bodies, 1, frame, &tractions).unwrap().repeated(size);
         largest(&pressed, [0.0; 6])
     };
     let pulls = wave - 0.3 / 0.7 * mean;

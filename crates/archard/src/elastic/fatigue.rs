@@ -125,13 +125,16 @@ impl Criterion {
 
 impl Pressed {
     /// What a criterion says at most of points that pass along an axis, at these depths (m) and between them, with an even stress added.
-    /// The place has no meaning along the motion. `None` where no row is known.
+    /// The place has no meaning along the motion. `None` where no row is known, and as of [`Pressed::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
         (depths, initial): (&[f64], &Components),
         axis: usize,
     ) -> Option<Maximum> {
+        if !self.is_judged() {
+            return None;
+        }
         let coarser = self.coarser();
         deepest(depths, ALONG, &|level, depth| {
             let below = self.level(&coarser, level);
@@ -192,12 +195,15 @@ impl Cycle {
     }
 
     /// What a criterion says at most of all points, at these depths (m) and between them, with an even stress added. `None` where
-    /// nothing is known.
+    /// nothing is known, and as of [`Pressed::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
         (depths, initial): (&[f64], &Components),
     ) -> Option<Maximum> {
+        if !self.instants.iter().all(|(pressed, _)| pressed.is_judged()) {
+            return None;
+        }
         deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, initial)))
     }
 

@@ -164,13 +164,18 @@ impl Pressed {
     }
 
     /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under the strength (Pa) of each
-    /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame.
+    /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is
+    /// shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame. `None` where nothing is
+    /// known, and of a frame that repeats itself without [elements to judge by](Pressed::halves).
     pub fn maxima(
         &self,
         depths: &[f64],
         (initial, strengths): (&Components, &[Option<f64>]),
         see: &mut dyn FnMut(f64, &[Vec<f64>; 6]),
     ) -> Option<Maxima> {
+        if !self.is_judged() {
+            return None;
+        }
         let coarse = self.below.coarser();
         let levels = [&self.below, &coarse, &coarse.coarser()];
         let ends = self.below.pieces();

@@ -55,11 +55,6 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     problems
 }
 
-/// Whether elements of four times the size fill a frame that repeats itself, an even number or one along each axis.
-fn halves(elements: [usize; 2]) -> bool {
-    elements.iter().all(|count| *count == 1 || count.is_multiple_of(8))
-}
-
 /// What is asked for of the stresses of a body that its layers do not suit.
 fn of_layers(body: &Body, wanted: &WantedStresses) -> Option<Problem> {
     let key = Key::of(["output", "stress", &body.name]);
@@ -105,11 +100,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     }
     let refused = Pressed::refuses(parts.bodies.each_ref(), which).or_else(|| {
         let table = matches!(parts.motion.sequence, Sequence::Table(_)) && parts.friction.is_some();
-        if case.frame.periodic && name != "stress" {
-            Some("repeats itself with the frame: displacements and stresses at single places are not computed, the largest are: `output.stress`")
-        } else if case.frame.periodic && !halves(case.frame.elements) {
-            Some("repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis")
-        } else if case.frame.line && case.frame.elements[1] > 1 {
+        if case.frame.line && case.frame.elements[1] > 1 {
             Some("touches along a line in strips, each in plane strain by itself: stresses are computed of a line without strips")
         } else if table {
             Some("slides in another direction at each station of the table: with friction, stresses in it are not computed")
@@ -119,6 +110,10 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     });
     if let Some(why) = refused {
         return vec![Problem::error(key(name), why).at_name()];
+    }
+    if stresses.is_some() && case.frame.periodic && !Pressed::halves(case.frame.elements) {
+        let message = "repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis";
+        return vec![Problem::error(key("stress"), message).at_name()];
     }
     if let Some(problem) = stresses.as_ref().and_then(|wanted| of_layers(body, wanted)) {
         return vec![problem];
