@@ -266,19 +266,24 @@ impl Pressed {
         let ends = [depths[0], depths[depths.len() - 1]];
         let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
         let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
-        // Uphill along one axis after the other, by steps that double where they lead up and halve where none does.
+        // Uphill along one axis after the other, by steps that double where they lead up and halve where none does: what only fades is
+        // followed for ever by steps of one size, and never beyond what rounding leaves of it.
+        let least = SAME * self.peak();
         while step > CLOSE * h {
             let mut higher = false;
             for (axis, side) in axes.iter().flat_map(|&axis| [(axis, -1.0), (axis, 1.0)]) {
                 let mut next = place;
                 next[axis] += side * step;
                 next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+                if next == place || !self.knows(next) {
+                    continue;
+                }
                 let there = value(levels[0], next);
-                if there > best && self.knows(next) {
+                if there > best + least {
                     (place, best, higher) = (next, there, true);
                 }
             }
-            step *= if higher { 1.0 } else { 0.5 };
+            step *= if higher { 2.0 } else { 0.5 };
         }
         let mut found =
             Maximum::of([best, value(levels[1], place), value(levels[2], place)], place);
