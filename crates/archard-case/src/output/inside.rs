@@ -169,7 +169,8 @@ impl Inside {
                     pressed.check(&wanted.depths).map_err(failed)?;
                     let passing = match problem.motion.increments() {
                         Some(shift) if wanted.fatigue.is_wanted() => {
-                            Passing::Cycle(self.whole(shift, bodies, (which, frame)))
+                            let axis = problem.motion.direction.axis;
+                            Passing::Cycle(self.whole((shift, axis), bodies, (which, frame)))
                         }
                         _ => Passing::Along(problem.motion.direction.axis),
                     };
@@ -218,7 +219,7 @@ impl Inside {
     /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
     fn whole(
         &self,
-        shift: &Shift,
+        (shift, axis): (&Shift, usize),
         bodies: [&Body; 2],
         (which, frame): (usize, &ContactFrame),
     ) -> Option<Cycle> {
@@ -234,7 +235,8 @@ impl Inside {
             let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
             Some(self.repeated(pressed, bodies, (which, frame)))
         });
-        whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
+        let cycle = |instants| Cycle::of(instants, axis);
+        whole.then(|| instants.collect::<Option<Vec<_>>>().map(cycle)).flatten()
     }
 
     /// Displacements and tractions all over a body under tractions of contact.
