@@ -12,13 +12,14 @@ mod maxima;
 mod section;
 mod surface;
 
-pub use fatigue::{Criterion, Cycle};
+pub use fatigue::{Added, Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
 pub use interfaces::{Interface, Side};
 pub use maxima::{Layer, Maxima, Maximum, Piece};
 pub use section::{Sampled, Section, SectionError};
 
 use glam::{DMat3, DVec3};
+use rayon::prelude::*;
 
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
@@ -325,9 +326,10 @@ impl Deformed {
             }
         }
         let corners = surface.corners();
+        let all = |places: &[DVec3]| places.par_iter().map(|place| at(*place)).collect();
         Ok(Self {
             points: points.iter().map(point).collect::<Result<_, _>>()?,
-            sections: sections.iter().map(|one| one.responses(Some(&corners), at)).collect(),
+            sections: sections.iter().map(|one| one.responses(Some(&corners), all)).collect(),
             surface: surface.clone(),
             displacement: displacement.iter().map(DVec3::to_array).collect(),
             traction: traction.iter().map(DVec3::to_array).collect(),

@@ -355,9 +355,8 @@ fn the_book_stays_short() {
 }
 
 /// Sources of more lines than a reader keeps in mind, each with what keeps it together.
-const LONG: [(&str, &str); 7] = [
+const LONG: [(&str, &str); 6] = [
     ("archard-case/src/case/print.rs", "one case, key by key"),
-    ("archard/src/numerics/convolution/mod.rs", "one type, whose transforms share their buffers"),
     ("archard/src/simulation/history.rs", "one table of columns"),
     ("archard/src/wear/expression/parser.rs", "one grammar"),
     ("archard-case/src/case/wheel_rail/mod.rs", "one case, with all that is asked of it"),

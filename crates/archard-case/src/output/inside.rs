@@ -12,6 +12,7 @@ use archard::body::{Body, Finite, Material};
 use archard::compliance::Unsolved;
 use archard::compliance::bem::Boundary;
 use archard::compliance::bem::contact::Job;
+use archard::compliance::half_space::Periodic;
 use archard::elastic::{self, Cycle, Deformed, ElasticError, Point, Pressed, Section};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::Shift;
@@ -145,7 +146,8 @@ impl Inside {
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
             let placed = (which, offsets(&problem.bodies, &problem.motion));
             let pressed = Pressed::with_ends(bodies, placed, frame, tractions).map_err(failed)?;
-            if let Some(pressed) = pressed.map(|pressed| self.repeated(pressed)) {
+            let place = (which, frame);
+            if let Some(pressed) = pressed.map(|pressed| self.repeated(pressed, bodies, place)) {
                 let (points, found) = pressed.both_sides(points).map_err(failed)?;
                 if let Some(table) = &mut table {
                     write_points(table, &first, (&points, &found), |place| {
@@ -167,7 +169,8 @@ impl Inside {
                     pressed.check(&wanted.depths).map_err(failed)?;
                     let passing = match problem.motion.increments() {
                         Some(shift) if wanted.fatigue.is_wanted() => {
-                            Passing::Cycle(self.whole(shift, bodies, (which, frame)))
+                            let axis = problem.motion.direction.axis;
+                            Passing::Cycle(self.whole((shift, axis), bodies, (which, frame)))
                         }
                         _ => Passing::Along(problem.motion.direction.axis),
                     };
@@ -203,14 +206,20 @@ impl Inside {
     }
 
     /// The same where tractions repeat themselves with the frame, if they do.
-    fn repeated(&self, pressed: Pressed) -> Pressed {
-        if self.repeats { pressed.repeated() } else { pressed }
+    fn repeated(
+        &self,
+        pressed: Pressed,
+        bodies: [&Body; 2],
+        (which, frame): (usize, &ContactFrame),
+    ) -> Pressed {
+        let depth = Periodic::depths(bodies, frame)[which];
+        if self.repeats { pressed.repeated(depth) } else { pressed }
     }
 
     /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
     fn whole(
         &self,
-        shift: &Shift,
+        (shift, axis): (&Shift, usize),
         bodies: [&Body; 2],
         (which, frame): (usize, &ContactFrame),
     ) -> Option<Cycle> {
@@ -224,9 +233,10 @@ impl Inside {
         let instants = self.cycle.iter();
         let instants = instants.map(|(_, tractions)| {
             let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
-            Some(self.repeated(pressed))
+            Some(self.repeated(pressed, bodies, (which, frame)))
         });
-        whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
+        let cycle = |instants| Cycle::of(instants, axis);
+        whole.then(|| instants.collect::<Option<Vec<_>>>().map(cycle)).flatten()
     }
 
     /// Displacements and tractions all over a body under tractions of contact.

@@ -56,3 +56,18 @@ fn strengths_of_layers_read_back_and_hardness_stands_for_them() {
     assert_eq!(wanted.layer_strengths, [5e9, 900e6]);
     assert_eq!(wanted.hardness, [Some(14e9), None, None]);
 }
+
+#[test]
+fn points_and_sections_of_waves_need_no_multiple_of_elements() {
+    let waves = BALL
+        .replace(
+            "profile.sphere = { radius = \"50 mm\" }",
+            "profile.wave = { amplitude = \"0.5 um\", length_x = \"0.2 mm\" }",
+        )
+        .replace("elements = [20, 20]", "elements = [20, 20]\nperiodic = true")
+        .replace("load = \"10.2 N\"", "load = \"10 MPa\"")
+        .replace("[output.stress]\nball = {}\n", "");
+    let case = case(&waves);
+    reads_back(&case);
+    assert!(case.frame.periodic && !case.sections[1].is_empty());
+}

@@ -8,11 +8,12 @@ use archard::body::Layer;
 use archard::body::profile::{Flat, Paraboloid, Wave};
 use archard::closed_form::hertz::Hertz;
 use archard::compliance::{Compliance, HalfSpace, Periodic};
+use archard::elastic::{Point, Response, Section};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::{Control, Indentation};
 use archard::problem::ContactState;
 use archard::simulation::Run;
-use archard::{Body, Material, Simulation};
+use archard::{Body, Contact, Material, Simulation};
 use archard_case::CaseFile;
 
 use super::accuracy::settled;
@@ -55,6 +56,49 @@ fn flattened_waves_have_the_pressure_of_a_cosine() {
         let known = flattens * (1.25 + (2.0 * PI * x / LENGTH).cos());
         assert_relative_eq!(*pressure, known, max_relative = 1e-6);
     }
+}
+
+/// Below them (K. L. Johnson, *Contact Mechanics*, 1985, section 13.2), at places and on a section, of the pressures that were computed.
+#[test]
+fn flattened_waves_have_the_stresses_and_displacements_of_a_cosine_below() {
+    let [modulus, flattens] = flattening();
+    let (simulation, _) = wavy(1.25 * flattens, 64);
+    let contact = Contact::at_first(simulation).unwrap();
+    let pressed = contact.below(0).unwrap();
+    let k = 2.0 * PI / LENGTH;
+    let known = |[x, _, z]: [f64; 3]| {
+        let (d, mean) = (-k * z, 1.25 * flattens);
+        let [cos, sin] = [(k * x).cos(), (k * x).sin()].map(|own| flattens * (-d).exp() * own);
+        let [xx, zz] = [-(1.0 - d) * cos, -(1.0 + d) * cos];
+        let aside = -0.3 / 0.7 * mean;
+        [xx + aside, 0.3 * (xx + zz) + aside, zz - mean, 0.0, d * sin, 0.0]
+    };
+    let near = |found: &Response, place: [f64; 3]| {
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = found.stress;
+        for (found, known) in [xx, yy, zz, xy, xz, yz].into_iter().zip(known(place)) {
+            assert!((found - known).abs() < 1e-6 * flattens, "{place:?}: {found} {known}");
+        }
+    };
+    let places = [[0.0; 3], [0.13e-3, 0.0, -0.07e-3], [-0.31e-3, 0.2e-3, -0.4e-3]];
+    let points = places.map(|place| Point { name: String::new(), place });
+    let found = pressed.points(&points).unwrap();
+    found.iter().zip(places).for_each(|(found, place)| near(found, place));
+    // From crest to trough the surface is as flat as the rigid one.
+    let surface = [0.0, 0.5 * LENGTH].map(|x| pressed.at([x, 0.0, 0.0]).unwrap().displacement[2]);
+    assert_relative_eq!(surface[1] - surface[0], 2.0 * AMPLITUDE, max_relative = 1e-6);
+    // Displacements are measured from the length of the waves below, where little of them is left.
+    let deep = pressed.at([0.0, 0.0, -LENGTH]).unwrap().displacement[2];
+    assert!(deep.abs() < 0.03 * flattens / (modulus * k), "{deep}");
+    let section = Section {
+        name: String::new(),
+        through: [0.0; 3],
+        normal: [0.3, 1.0, 0.0],
+        spacing: 0.04e-3,
+        size: Some([0.7e-3, 0.6e-3]),
+    };
+    let sampled = pressed.section(&section);
+    assert!(sampled.places.len() > 100);
+    sampled.responses.iter().zip(sampled.places).for_each(|(found, place)| near(found, place));
 }
 
 /// The same in part: sin^2(pi a/length) = mean over p*, and 2 mean / sin(pi a/length) at the crest.

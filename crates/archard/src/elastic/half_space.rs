@@ -113,11 +113,23 @@ impl Pressed {
         Some(Self { below, sides, ground, ends: None })
     }
 
-    /// The same where tractions repeat themselves with the frame, whose elements are an even number or one along each axis: nothing is cut.
+    /// The same where tractions repeat themselves with the frame, whose elements are an even number or one along each axis: nothing is
+    /// cut, and displacements are measured from so far (m) below the contact.
     #[must_use]
-    pub fn repeated(self) -> Self {
+    pub fn repeated(self, depth: f64) -> Self {
         let far = [f64::NEG_INFINITY, f64::INFINITY];
-        Self { sides: [far; 2], below: self.below.repeated(), ..self }
+        Self { sides: [far; 2], below: self.below.repeated(depth), ..self }
+    }
+
+    /// Whether elements of four times the size fill a frame that repeats itself, an even number or one along each axis: errors are found
+    /// on these.
+    pub fn halves(elements: [usize; 2]) -> bool {
+        elements.iter().all(|count| *count == 1 || count.is_multiple_of(8))
+    }
+
+    /// Whether there are errors of what is below.
+    pub(super) fn is_judged(&self) -> bool {
+        !self.below.repeats() || Self::halves(self.below.elements())
     }
 
     /// The same in one of its layers, or below all of them: see [`Below::within`].
@@ -129,20 +141,30 @@ impl Pressed {
     /// Displacement and stress at a place (m); `None` above the surface, outside of the body, and where the stress depends on
     /// pressures beyond the frame.
     pub fn at(&self, place: [f64; 3]) -> Option<Response> {
-        if place[2] > 0.0 || !self.reaches(place) {
-            return None;
-        }
-        let half_space = || Response {
-            displacement: self.below.displacement(place),
-            stress: tensor(self.below.stress(place)),
+        self.at_all(&[place])[0]
+    }
+
+    /// The same at places (m), which costs less than place by place where those as deep follow each other.
+    pub fn at_all(&self, places: &[[f64; 3]]) -> Vec<Option<Response>> {
+        let known: Vec<usize> = (0..places.len())
+            .filter(|own| places[*own][2] <= 0.0 && self.reaches(places[*own]))
+            .collect();
+        let inside: Vec<[f64; 3]> = known.iter().map(|own| places[*own]).collect();
+        let fields = self.below.fields(&inside);
+        let response = |(place, (displacement, stress)): (&[f64; 3], &([f64; 3], Components))| {
+            let own = Response { displacement: *displacement, stress: tensor(*stress) };
+            let Some(ends) = &self.ends else { return Some(own) };
+            let added = Response::from(ends.at(*place)?);
+            let Response { mut displacement, mut stress } = own;
+            displacement.iter_mut().zip(added.displacement).for_each(|(own, added)| *own += added);
+            let all = stress.as_flattened_mut().iter_mut().zip(added.stress.as_flattened());
+            all.for_each(|(own, added)| *own += added);
+            Some(Response { displacement, stress })
         };
-        let Some(ends) = &self.ends else { return Some(half_space()) };
-        let added = Response::from(ends.at(place)?);
-        let Response { mut displacement, mut stress } = half_space();
-        displacement.iter_mut().zip(added.displacement).for_each(|(own, added)| *own += added);
-        let all = stress.as_flattened_mut().iter_mut().zip(added.stress.as_flattened());
-        all.for_each(|(own, added)| *own += added);
-        Some(Response { displacement, stress })
+        let found: Vec<Option<Response>> = inside.par_iter().zip(&fields).map(response).collect();
+        let mut all = vec![None; places.len()];
+        known.into_iter().zip(found).for_each(|(index, found)| all[index] = found);
+        all
     }
 
     /// Displacement and stress below an interface of layers at a place (m), where [`at`](Self::at) has those above it; `None` where there
@@ -159,7 +181,8 @@ impl Pressed {
     /// # Errors
     /// If a point lies above the surface or in rigid ground, or its stress depends on pressures beyond the frame.
     pub fn points(&self, points: &[Point]) -> Result<Vec<Response>, ElasticError> {
-        let at = |point: &Point| {
+        let places: Vec<[f64; 3]> = points.iter().map(|point| point.place).collect();
+        let at = |(point, found): (&Point, Option<Response>)| {
             let wrong = || match point.place[2] > 0.0 {
                 true => ElasticError::Outside { point: point.clone() },
                 false if self.depth_of(point.place).is_none() => {
@@ -170,9 +193,9 @@ impl Pressed {
                 }
                 false => ElasticError::Cut { point: point.clone() },
             };
-            self.at(point.place).ok_or_else(wrong)
+            found.ok_or_else(wrong)
         };
-        points.iter().map(at).collect()
+        points.iter().zip(self.at_all(&places)).map(at).collect()
     }
 
     /// The same with the points: of one on an interface of layers both what is above and, as a point of its own, what is below.
@@ -201,7 +224,13 @@ impl Pressed {
     /// Displacement and stress on a section; places where they are not known are left out.
     pub fn section(&self, section: &Section) -> Sampled {
         let corners = self.ends.as_ref().map(|ends| ends.surface().corners());
-        let at = |place: DVec3| self.at(section.below_zero(place)?.to_array());
+        let at = |places: &[DVec3]| {
+            let below = |place: &DVec3| section.below_zero(*place).map(|own| own.to_array());
+            let places: Vec<Option<[f64; 3]>> = places.iter().map(below).collect();
+            let inside: Vec<[f64; 3]> = places.iter().flatten().copied().collect();
+            let mut found = self.at_all(&inside).into_iter();
+            places.iter().map(|place| place.and_then(|_| found.next().flatten())).collect()
+        };
         section.responses(corners.as_deref(), at)
     }
 

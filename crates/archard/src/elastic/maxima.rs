@@ -164,13 +164,18 @@ impl Pressed {
     }
 
     /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under the strength (Pa) of each
-    /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame.
+    /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is
+    /// shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame. `None` where nothing is
+    /// known, and of a frame that repeats itself without [elements to judge by](Pressed::halves).
     pub fn maxima(
         &self,
         depths: &[f64],
         (initial, strengths): (&Components, &[Option<f64>]),
         see: &mut dyn FnMut(f64, &[Vec<f64>; 6]),
     ) -> Option<Maxima> {
+        if !self.is_judged() {
+            return None;
+        }
         let coarse = self.below.coarser();
         let levels = [&self.below, &coarse, &coarse.coarser()];
         let ends = self.below.pieces();
@@ -261,19 +266,24 @@ impl Pressed {
         let ends = [depths[0], depths[depths.len() - 1]];
         let (mut place, mut best, mut step) = (start, value(levels[0], start), 0.5 * h);
         let axes: &[usize] = if levels[0].is_line() { &[0, 2] } else { &[0, 1, 2] };
-        // Uphill along one axis after the other, by steps that double where they lead up and halve where none does.
+        // Uphill along one axis after the other, by steps that double where they lead up and halve where none does: what only fades is
+        // followed for ever by steps of one size, and never beyond what rounding leaves of it.
+        let least = SAME * self.peak();
         while step > CLOSE * h {
             let mut higher = false;
             for (axis, side) in axes.iter().flat_map(|&axis| [(axis, -1.0), (axis, 1.0)]) {
                 let mut next = place;
                 next[axis] += side * step;
                 next[2] = -(-next[2]).clamp(ends[0], ends[1]);
+                if next == place || !self.knows(next) {
+                    continue;
+                }
                 let there = value(levels[0], next);
-                if there > best && self.knows(next) {
+                if there > best + least {
                     (place, best, higher) = (next, there, true);
                 }
             }
-            step *= if higher { 1.0 } else { 0.5 };
+            step *= if higher { 2.0 } else { 0.5 };
         }
         let mut found =
             Maximum::of([best, value(levels[1], place), value(levels[2], place)], place);

@@ -150,21 +150,23 @@ impl Section {
 
     /// The response of a body on it; without places where [`Section::check`] complains.
     pub(super) fn sample(&self, surface: &Surface, interior: &Interior<'_>) -> Sampled {
-        self.responses(Some(&surface.corners()), |place| interior.at(place).map(Response::from))
+        let at = |place: &DVec3| interior.at(*place).map(Response::from);
+        self.responses(Some(&surface.corners()), |places| places.par_iter().map(at).collect())
     }
 
     /// What is found at its places within the corners of a body, where anything is.
     pub(super) fn responses(
         &self,
         corners: Option<&[DVec3]>,
-        at: impl Fn(DVec3) -> Option<Response> + Sync,
+        at: impl Fn(&[DVec3]) -> Vec<Option<Response>>,
     ) -> Sampled {
         let mut sampled =
             Sampled { name: self.name.clone(), places: vec![], cells: vec![], responses: vec![] };
         let Ok(grid) = self.grid(corners) else { return sampled };
         let [columns, rows] = grid.counts;
-        let at = |index: usize| at(grid.place(index % columns, index / columns));
-        let responses: Vec<_> = (0..columns * rows).into_par_iter().map(at).collect();
+        let places: Vec<DVec3> =
+            (0..columns * rows).map(|index| grid.place(index % columns, index / columns)).collect();
+        let responses = at(&places);
         let corners = |column: usize, row: usize| {
             let first = column + columns * row;
             [first, first + 1, first + 1 + columns, first + columns]
@@ -175,8 +177,7 @@ impl Section {
         for cell in whole {
             let cell = cell.map(|corner| {
                 *index[corner].get_or_insert_with(|| {
-                    let place = grid.place(corner % columns, corner / columns);
-                    sampled.places.push(place.to_array());
+                    sampled.places.push(places[corner].to_array());
                     sampled.responses.extend(responses[corner]);
                     sampled.places.len() - 1
                 })

@@ -204,10 +204,9 @@ impl Builder {
             }
             let materials = bodies.each_ref().map(|body| body.material.as_ref());
             let layers = bodies.each_ref().map(|body| &body.layers[..]);
-            let [along, across] = frame.size();
+            let [along, _] = frame.size();
             Ok(if periodic {
-                let wavelength = if frame.is_line() { along } else { along.max(across) };
-                let depths = bodies.each_ref().map(|body| body.depth.unwrap_or(wavelength));
+                let depths = Periodic::depths(bodies.each_ref(), &frame);
                 let compliance = Periodic::new(materials, layers, depths, &frame);
                 (frame.closed(), Arc::new(compliance))
             } else if frame.is_line() {

@@ -11,6 +11,7 @@ use super::placed::Placed;
 use super::setup::Simulation;
 use super::swing::offsets;
 use crate::body::Body;
+use crate::compliance::half_space::Periodic;
 use crate::elastic::{ElasticError, Pressed};
 use crate::motion::{Control, Motion, Rolling, Station, Stepping};
 use crate::numerics::vector::in_pool;
@@ -147,20 +148,20 @@ impl Contact {
     /// Stresses and displacements below the surface of a body, by its index 0 or 1, under the tractions of the contact.
     ///
     /// # Errors
-    /// If the body is rigid, meshed, or round as the other one, touches in strips or repeats itself with the frame: no half-space under a
-    /// uniform frame stands for it.
+    /// If the body is rigid, meshed, or round as the other one, or touches in strips: no half-space under a uniform frame stands for it.
     pub fn below(&self, body: usize) -> Result<Pressed, ElasticError> {
         let problem = self.problem();
         let (bodies, frame) = (problem.bodies.each_ref(), &problem.frame);
-        let repeats = "repeats itself with the frame: run its case with `output.stress`";
-        let refused = problem.compliance.repeats().then_some(repeats);
-        if let Some(why) = Pressed::refuses(bodies, body).or(refused) {
+        if let Some(why) = Pressed::refuses(bodies, body) {
             return Err(ElasticError::Unknown { body, why });
         }
         let moved = (body, offsets(&problem.bodies, &problem.motion));
         let pressed = Pressed::with_ends(bodies, moved, frame, &problem.tractions(&self.state))?;
         let why = "is no half-space under a uniform frame without strips: run its case with `output.points`";
-        pressed.ok_or(ElasticError::Unknown { body, why })
+        let pressed = pressed.ok_or(ElasticError::Unknown { body, why })?;
+        let depth = Periodic::depths(bodies, frame)[body];
+        let repeats = problem.compliance.repeats();
+        Ok(if repeats { pressed.repeated(depth) } else { pressed })
     }
 
     /// Depths (m) that one passage wears off each line of surfaces that pass; none where none pass.

@@ -55,11 +55,6 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     problems
 }
 
-/// Whether elements of four times the size fill a frame that repeats itself, an even number or one along each axis.
-fn halves(elements: [usize; 2]) -> bool {
-    elements.iter().all(|count| *count == 1 || count.is_multiple_of(8))
-}
-
 /// What is asked for of the stresses of a body that its layers do not suit.
 fn of_layers(body: &Body, wanted: &WantedStresses) -> Option<Problem> {
     let key = Key::of(["output", "stress", &body.name]);
@@ -105,11 +100,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     }
     let refused = Pressed::refuses(parts.bodies.each_ref(), which).or_else(|| {
         let table = matches!(parts.motion.sequence, Sequence::Table(_)) && parts.friction.is_some();
-        if case.frame.periodic && name != "stress" {
-            Some("repeats itself with the frame: displacements and stresses at single places are not computed, the largest are: `output.stress`")
-        } else if case.frame.periodic && !halves(case.frame.elements) {
-            Some("repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis")
-        } else if case.frame.line && case.frame.elements[1] > 1 {
+        if case.frame.line && case.frame.elements[1] > 1 {
             Some("touches along a line in strips, each in plane strain by itself: stresses are computed of a line without strips")
         } else if table {
             Some("slides in another direction at each station of the table: with friction, stresses in it are not computed")
@@ -120,10 +111,21 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     if let Some(why) = refused {
         return vec![Problem::error(key(name), why).at_name()];
     }
+    if stresses.is_some() && case.frame.periodic && !Pressed::halves(case.frame.elements) {
+        let message = "repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis";
+        return vec![Problem::error(key("stress"), message).at_name()];
+    }
     if let Some(problem) = stresses.as_ref().and_then(|wanted| of_layers(body, wanted)) {
         return vec![problem];
     }
     let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
+    let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
+    let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
+    let swings = stresses.as_ref().is_some_and(|wanted| wanted.swinging != [0.0; 6]);
+    if swings && !(fatigue.is_some() && cycle && parts.friction.is_some()) {
+        let message = "swings with the friction on a body that stays under a contact that goes through a cycle, and is for `fatigue` alone: here is no such friction, or no criterion of fatigue";
+        return vec![Problem::error(key("stress").child("swinging"), message).at_name()];
+    }
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
         if body.has_image() {
@@ -131,8 +133,6 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             return vec![Problem::error(key, message).at_name()];
         }
         let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
-        let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
-        let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
         if !cycle && (!passes || parts.motion.lever_arm() == Some(Lever::Radius)) {
             let message = "is for a body whose points pass through the contact along an axis, one after the other, or stay under it while it goes through a cycle; under this motion they do neither";
             return vec![Problem::error(key, message).at_name()];

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use super::stack::{Scalars, Stack, half_space};
-use crate::body::{Layer, Material};
+use crate::body::{Body, Layer, Material};
 use crate::compliance::{Compliance, Preconditioner};
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::SAME;
@@ -42,6 +42,13 @@ pub struct Periodic {
 }
 
 impl Periodic {
+    /// How far below the contact (m) displacements of bodies are measured from: the length of the longest waves where none is given.
+    pub fn depths(bodies: [&Body; 2], frame: &ContactFrame) -> [f64; 2] {
+        let [along, across] = frame.size();
+        let longest = if frame.is_line() { along } else { along.max(across) };
+        bodies.map(|body| body.depth.unwrap_or(longest))
+    }
+
     /// The bodies of these materials, `None` for something rigid, under layers from the surface down; their displacements are
     /// measured from so far below the contact (m).
     ///

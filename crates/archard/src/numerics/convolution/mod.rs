@@ -24,7 +24,6 @@ pub use difference::Difference;
 pub use spectrum::{Parity, Spectrum};
 
 use buffers::{Buffers, grow};
-use spectrum::half_transform;
 
 /// Plans and work space for convolutions on one grid.
 pub struct Convolution {
@@ -90,49 +89,6 @@ impl Convolution {
     /// Number of columns of a spectrum.
     fn columns(&self) -> usize {
         self.period[0] / 2 + 1
-    }
-
-    /// The spectrum of a kernel known at offsets zero and greater, in rows of that width.
-    ///
-    /// Where the period is shorter than twice the field, the nearest image counts.
-    pub fn spectrum(&self, kernel: &[f64], width: usize, parity: [Parity; 2]) -> Spectrum {
-        let (columns, height) = (self.columns(), self.period[1] / 2 + 1);
-        let rows = kernel.len() / width;
-        let mut along_x = vec![0.0; columns * rows];
-        let along = &self.row_forward;
-        along_x.par_chunks_mut(columns).zip(kernel.par_chunks(width)).for_each(|(out, row)| {
-            half_transform(along, row.iter().copied(), parity[0], 1.0, out);
-        });
-        let along = RealFftPlanner::new().plan_fft_forward(self.period[1]);
-        let sign = if parity == [Parity::Odd; 2] { -1.0 } else { 1.0 };
-        let scale = sign / (self.period[0] * self.period[1]) as f64;
-        let mut factors = vec![0.0; height * columns];
-        factors.par_chunks_mut(height).enumerate().for_each(|(kx, out)| {
-            let column = along_x[kx..].iter().step_by(columns).copied();
-            half_transform(&along, column, parity[1], scale, out);
-        });
-        Spectrum { factors, parity }
-    }
-
-    /// The spectrum that multiplies waves by a number, or, where it is odd along one axis only, by i times that number:
-    /// a function of how many of them fit into the period along x and y. What is odd along an axis vanishes where the
-    /// field or its shortest wave repeats itself from point to point.
-    pub fn transfer(
-        &self,
-        parity: [Parity; 2],
-        factor: impl Fn([usize; 2]) -> f64 + Sync,
-    ) -> Spectrum {
-        let height = self.period[1] / 2 + 1;
-        let scale = 1.0 / (self.period[0] * self.period[1]) as f64;
-        let value = |index: usize| {
-            let waves = [index / height, index % height];
-            let vanishes = |axis: usize| {
-                parity[axis] == Parity::Odd && (2 * waves[axis]).is_multiple_of(self.period[axis])
-            };
-            if vanishes(0) || vanishes(1) { 0.0 } else { scale * factor(waves) }
-        };
-        let factors = (0..self.columns() * height).into_par_iter().map(value).collect();
-        Spectrum { factors, parity }
     }
 
     /// Convolves one field with one kernel, into `result`.

@@ -16,6 +16,7 @@ use std::sync::OnceLock;
 
 use super::layers::Seen;
 use super::rest::{Rest, at_corner};
+use super::sums::Sums;
 
 /// Functions of the distance.
 const FUNCTIONS: usize = 15;
@@ -45,8 +46,8 @@ pub(super) struct Far {
     seen: Vec<Seen>,
     /// The distance of the nearest image (m).
     near: f64,
-    /// At the points of the grid, that of r = 0 after those before it.
-    grid: OnceLock<Vec<[f64; FUNCTIONS]>>,
+    /// At the points of the grid, that of r = 0 after those before it, each once it is needed; none where a single image is summed as fast.
+    grid: Vec<OnceLock<[f64; FUNCTIONS]>>,
 }
 
 /// Points on the grid below r = 0.
@@ -57,7 +58,14 @@ const REACH: f64 = 1e7;
 impl Far {
     pub fn of(seen: Vec<Seen>) -> Self {
         let near = seen.iter().map(|image| image.distance).fold(f64::INFINITY, f64::min);
-        Self { seen, near, grid: OnceLock::new() }
+        let points = (REACH.asinh() / STEP).ceil() as usize + 2 * POINTS;
+        let points = if seen.len() > 1 { points } else { 0 };
+        Self { seen, near, grid: (0..points).map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The distance of the nearest image (m).
+    pub fn near(&self) -> f64 {
+        self.near
     }
 
     /// What an element around a place does there, `from` it along x and y to the point, of these half widths (m).
@@ -71,7 +79,7 @@ impl Far {
         for [dx, one] in rule.iter() {
             for [dy, other] in rule.iter() {
                 let at = [from[0] + dx * half[0], from[1] + dy * half[1]];
-                self.point(at, one * other * half[0] * half[1], &mut sum);
+                add(&mut sum, &self.point(at), one * other * half[0] * half[1]);
             }
         }
         sum
@@ -81,14 +89,23 @@ impl Far {
         let mut sum: Rest = Default::default();
         for (dx, dy, sign) in [(a, b, 1.0), (-a, b, -1.0), (a, -b, -1.0), (-a, -b, 1.0)] {
             let own = at_corner(&self.seen, [x + dx, y + dy]);
-            add(&mut sum, own, sign / (2.0 * PI));
+            add(&mut sum, &own, sign / (2.0 * PI));
         }
         sum
     }
 
-    /// Adds what a unit force, spread over so large an area (m^2), does so far away (m).
-    fn point(&self, [x, y]: [f64; 2], area: f64, sum: &mut Rest) {
-        let r = x.hypot(y);
+    /// Adds what a force (N) along x, y and into the body does so far away (m).
+    pub fn force(&self, from: [f64; 2], force: &[f64; 3], sums: &mut Sums) {
+        let (stresses, moved) = self.point(from);
+        for axis in 0..3 {
+            (0..6).for_each(|own| sums.0[own] += force[axis] * stresses[axis][own]);
+            (0..3).for_each(|own| sums.1[own] += force[axis] * moved[axis][own]);
+        }
+    }
+
+    /// What a unit force does so far away (m).
+    fn point(&self, [x, y]: [f64; 2]) -> Rest {
+        let r = (x * x + y * y).sqrt();
         let [c, s] = if r > 0.0 { [x / r, y / r] } else { [1.0, 0.0] };
         let [zz, m, d, sz, mean, half, third, tz, even, odd, along, into, pushed, turned, sunk] =
             self.functions(r);
@@ -118,14 +135,16 @@ impl Far {
             [-s2 * turned, pushed + c2 * turned, s * sunk],
             [c * along, s * along, into],
         ];
-        add(sum, (stresses, moved), area);
+        (stresses, moved)
     }
 
     /// All functions at a distance (m).
     fn functions(&self, r: f64) -> [f64; FUNCTIONS] {
+        if self.grid.is_empty() {
+            return self.summed(r);
+        }
         let at = (r / self.near).asinh() / STEP;
-        let grid = self.grid.get_or_init(|| self.grid());
-        let first = (at.floor() as usize).min(grid.len() - POINTS - 1);
+        let first = (at.floor() as usize).min(self.grid.len() - POINTS - 1);
         let t = at - first as f64;
         // Lagrange's polynomials through -2, ..., 3.
         let [a, b, d, e, f] = [t + 2.0, t + 1.0, t - 1.0, t - 2.0, t - 3.0];
@@ -138,32 +157,30 @@ impl Far {
             a * b * t * d * e / 120.0,
         ];
         let mut sum = [0.0; FUNCTIONS];
-        for (weight, row) in weights.iter().zip(&grid[first + 1..first + 1 + POINTS]) {
+        for (index, weight) in weights.iter().enumerate() {
+            let point = first + 1 + index;
+            let at = || (point as f64 - BELOW as f64) * STEP;
+            let row = self.grid[point].get_or_init(|| self.summed(self.near * at().sinh()));
             sum.iter_mut().zip(row).for_each(|(sum, own)| *sum += weight * own);
         }
         sum
-    }
-
-    fn grid(&self) -> Vec<[f64; FUNCTIONS]> {
-        let count = (REACH.asinh() / STEP).ceil() as usize + 2 * POINTS;
-        let at = |index: usize| (index as f64 - BELOW as f64) * STEP;
-        (0..count).map(|index| self.summed(self.near * at(index).sinh())).collect()
     }
 
     /// The functions at a distance (m): the sums over all images. At distances below zero those of odd order are reversed.
     fn summed(&self, r: f64) -> [f64; FUNCTIONS] {
         let mut sum = [0.0; FUNCTIONS];
         for image in &self.seen {
-            let (d, rho) = (image.distance, r.hypot(image.distance));
-            let u = r / (rho + d);
-            let powers = [1.0, u, u * u, u * u * u];
-            let order = |n: usize, own: f64| powers[n] * own / (2.0 * PI);
-            let moved: [f64; 4] = std::array::from_fn(|n| order(n, 1.0 / rho));
-            let even: [f64; 4] =
-                std::array::from_fn(|n| order(n, (n as f64 * rho + d) / rho.powi(3)));
-            let times: [f64; 4] = std::array::from_fn(|n| {
-                let n2 = n as f64;
-                order(n, ((n2 * n2 - 1.0) * rho * rho + 3.0 * d * (n2 * rho + d)) / rho.powi(5))
+            let d = image.distance;
+            let rho = (r * r + d * d).sqrt();
+            // Divisions take longer than all else.
+            let (one, u) = (1.0 / rho, r / (rho + d));
+            let [scale, square] = [one / (2.0 * PI), one * one];
+            let moved = [scale, scale * u, scale * u * u, scale * u * u * u];
+            let even = [0, 1, 2, 3].map(|n| moved[n] * square * (n as f64 * rho + d));
+            let times = [0, 1, 2, 3].map(|n| {
+                let order = n as f64;
+                let near = 3.0 * d * (order * rho + d);
+                moved[n] * square * square * ((order * order - 1.0) * rho * rho + near)
             });
             let kernels = [(even, 1.0, 0), (times, image.from, 1)];
             for (kernel, factor, part) in kernels {
@@ -202,9 +219,9 @@ impl Far {
 }
 
 /// Adds so many times what there is.
-pub(super) fn add(sum: &mut Rest, own: Rest, factor: f64) {
-    let stresses = sum.0.iter_mut().flatten().zip(own.0.into_iter().flatten());
-    stresses.for_each(|(sum, own)| *sum += factor * own);
-    let moved = sum.1.iter_mut().flatten().zip(own.1.into_iter().flatten());
-    moved.for_each(|(sum, own)| *sum += factor * own);
+fn add(sum: &mut Rest, own: &Rest, factor: f64) {
+    for axis in 0..3 {
+        (0..6).for_each(|i| sum.0[axis][i] += factor * own.0[axis][i]);
+        (0..3).for_each(|i| sum.1[axis][i] += factor * own.1[axis][i]);
+    }
 }

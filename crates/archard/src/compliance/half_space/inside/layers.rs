@@ -24,6 +24,9 @@ const LONGEST: f64 = 1e-6;
 /// Depths whose kernels are kept. A choice of memory.
 const KEPT: usize = 256;
 
+/// Unit tractions on a surface.
+const HALF_SPACE: Tractions = [0.0, -1.0, 1.0, 0.0, -1.0];
+
 /// A traction behind a face of a piece.
 #[derive(Debug, Clone, Copy)]
 struct Image {
@@ -149,21 +152,19 @@ impl Layers {
         down.chain(up.iter().map(|image| image.seen(-1.0, end - depth, poisson))).collect()
     }
 
-    /// The components of a wave of tractions of that number (1/m) at a depth (m), in the order of those of [`Seen`].
-    pub fn wave(&self, piece: usize, depth: f64, k: f64) -> [f64; 10] {
+    /// The components of a wave of tractions of that number (1/m) at a depth (m), and its displacements times twice the shear modulus
+    /// (m), in the order of those of [`Seen`].
+    pub fn wave(&self, piece: usize, depth: f64, k: f64) -> ([f64; 10], [f64; 5]) {
         let stack = Stack { layers: &self.layers, base: self.base.as_ref(), hollow: None };
         let ([top, end], poisson) = (self.faces(piece), self.material(piece).poisson);
-        let mut sum = [0.0; 10];
+        let mut sum = ([0.0; 10], [0.0; 5]);
         let [down, up] = stack.waves(piece, k);
         for (tractions, side, from) in [(down, 1.0, depth - top), (up, -1.0, end - depth)] {
             if from.is_finite() {
-                let [even, times] =
-                    Image { behind: 0.0, tractions }.seen(side, from, poisson).stress;
-                let (q, decay) = (k * from, (-k * from).exp());
-                let both = even.iter().zip(times);
-                sum.iter_mut()
-                    .zip(both)
-                    .for_each(|(sum, (even, times))| *sum += decay * (even + q * times));
+                let (stress, moved) =
+                    Image { behind: 0.0, tractions }.seen(side, from, poisson).wave(k);
+                sum.0.iter_mut().zip(stress).for_each(|(sum, own)| *sum += own);
+                sum.1.iter_mut().zip(moved).for_each(|(sum, own)| *sum += own);
             }
         }
         sum
@@ -184,6 +185,21 @@ impl Layers {
         kept.insert(key, made.clone());
         made
     }
+}
+
+impl Seen {
+    /// The components of a wave of that number (1/m), and its displacements times twice the shear modulus (m).
+    pub fn wave(&self, k: f64) -> ([f64; 10], [f64; 5]) {
+        let (decay, q) = ((-k * self.distance).exp(), k * self.from);
+        let stress = std::array::from_fn(|i| decay * (self.stress[0][i] + q * self.stress[1][i]));
+        let moved = |i: usize| decay * (self.moved[0][i] / k + self.from * self.moved[1][i]);
+        (stress, std::array::from_fn(moved))
+    }
+}
+
+/// What a half-space is at a depth (m): the tractions themselves.
+pub(super) fn half_space(depth: f64, poisson: f64) -> Seen {
+    Image { behind: 0.0, tractions: HALF_SPACE }.seen(1.0, depth, poisson)
 }
 
 impl Image {

@@ -1,8 +1,9 @@
 //! Stresses and displacements inside a half-space, under tractions that are even on each element of a uniform frame.
 //!
 //! Sums of rectangles (`corner.rs`), or of strips (`strip.rs`) under a line of contact, are exact for such tractions: at a point
-//! ([`Below::stress`]) corner by corner, at all elements in a [plane](Below::plane) below the surface by convolution. What tractions
-//! vary by within an element is added (`slope.rs`). Where a body has layers (`layers.rs`), each adds images (`rest.rs`, `far.rs`).
+//! ([`Below::stress`]) corner by corner, far away square by square (`tree.rs`); at all elements in a [plane](Below::plane) below the
+//! surface by convolution. What tractions vary by within an element is added (`slope.rs`). Where a body has layers (`layers.rs`), each
+//! adds images (`rest.rs`, `far.rs`). Tractions that repeat themselves with the frame are waves (`waves.rs`).
 
 mod corner;
 mod far;
@@ -12,18 +13,24 @@ mod rest;
 mod slope;
 mod stacked;
 mod strip;
+mod sums;
 #[cfg(test)]
 mod tests;
+mod tree;
 mod waves;
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+
+use rayon::prelude::*;
 
 use crate::body::Material;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::Convolution;
 use crate::stress::Components;
 use layers::Layers;
+use tree::Tree;
 use waves::Waves;
 
 /// What is below even tractions on the elements of a uniform frame.
@@ -45,8 +52,8 @@ pub struct Below {
     tractions: Arc<[Vec<f64>; 3]>,
     /// In plane strain: how far below the contact (m) displacements are measured from.
     depth: Option<f64>,
-    /// The corners of the elements, or the edges of strips, where tractions change (m), and by how much (Pa).
-    changes: Arc<Vec<([f64; 2], [f64; 3])>>,
+    /// The tractions by squares of elements, once they are needed.
+    tree: Arc<OnceLock<Tree>>,
     convolution: Arc<Convolution>,
     /// The tractions as waves, where they repeat themselves with the frame.
     waves: Option<Arc<Waves>>,
@@ -83,7 +90,7 @@ impl Below {
         tractions: [Vec<f64>; 3],
         depth: Option<f64>,
     ) -> Self {
-        let mut below = Self {
+        Self {
             material,
             layers: None,
             piece: None,
@@ -92,18 +99,17 @@ impl Below {
             corner,
             tractions: Arc::new(tractions),
             depth,
-            changes: Arc::default(),
+            tree: Arc::default(),
             convolution: Arc::new(Convolution::padded(elements)),
             waves: None,
-        };
-        below.changes = Arc::new(below.changes());
-        below
+        }
     }
 
-    /// The same under tractions that repeat themselves with the frame, whose elements are an even number or one along each axis.
+    /// The same under tractions that repeat themselves with the frame, whose elements are an even number or one along each axis;
+    /// displacements are measured from so far (m) below the contact.
     #[must_use]
-    pub fn repeated(self) -> Self {
-        Self { waves: Some(Arc::new(Waves::on(self.elements))), ..self }
+    pub fn repeated(self, depth: f64) -> Self {
+        Self { waves: Some(Arc::new(Waves::on(self.elements, depth))), ..self }
     }
 
     /// Whether tractions repeat themselves with the frame.
@@ -135,7 +141,10 @@ impl Below {
         let coarser =
             Self::on(self.material, ([mx, my], spacing, self.corner), tractions, self.depth);
         let coarser = Self { layers: self.layers.clone(), piece: self.piece, ..coarser };
-        if self.waves.is_some() { coarser.repeated() } else { coarser }
+        match &self.waves {
+            Some(waves) => coarser.repeated(waves.depth()),
+            None => coarser,
+        }
     }
 
     /// Size of an element along x and y (m), along x alone under a line of contact.
@@ -164,6 +173,11 @@ impl Below {
         self.depth.is_some()
     }
 
+    /// The sum of the tractions (Pa) of friction on the body along an axis over all elements, which are equal.
+    pub fn push(&self, axis: usize) -> f64 {
+        self.tractions[axis].iter().sum()
+    }
+
     /// Whether there is friction along an axis.
     pub fn rubs_along(&self, axis: usize) -> bool {
         self.tractions[axis].iter().any(|traction| *traction != 0.0)
@@ -181,7 +195,7 @@ impl Below {
     pub fn stress(&self, place: [f64; 3]) -> Components {
         let depth = 0.0 - place[2];
         if let Some(waves) = &self.waves {
-            return turned(waves.stress(self, [place[0], place[1]], depth));
+            return turned(waves.at(self, &[[place[0], place[1]]], depth)[0].0);
         }
         let [hx, hy] = self.spacing();
         if depth >= hx.max(hy) {
@@ -202,30 +216,46 @@ impl Below {
         stress
     }
 
-    /// Displacement (m) at a place (m) along x, y and z, from far away or, under a line of contact, from its depth.
+    /// Displacement (m) at a place (m) along x, y and z: from far away, or from its depth under a line of contact and where tractions
+    /// repeat themselves.
     pub fn displacement(&self, place: [f64; 3]) -> [f64; 3] {
-        // Not the negative zero, which lies on the other side of a cut of the arc tangent.
-        let (at, z) = ([place[0], place[1]], 0.0 - place[2]);
-        let material = self.material(z);
-        let poisson = material.poisson;
-        let mut sum = match self.depth {
-            None => self.weighed(
-                at,
-                |from| corner::functions(from, z),
-                |functions| corner::displacement(functions, poisson, z),
-            ),
-            Some(_) => self.weighed(
-                at,
-                |[x, _]| strip::functions(x, z),
-                |functions| strip::displacement(functions, poisson, z),
-            ),
+        self.fields(&[place])[0].0
+    }
+
+    /// Displacements (m), as those of [`Below::displacement`], and stresses (Pa), as those of [`Below::stress`], at places (m).
+    pub fn fields(&self, places: &[[f64; 3]]) -> Vec<([f64; 3], Components)> {
+        let depth = |place: &[f64; 3]| 0.0 - place[2];
+        let Some(waves) = &self.waves else {
+            let [hx, hy] = self.spacing();
+            let field = |place: &[f64; 3]| {
+                let z = depth(place);
+                let (stress, sum) = self.sums([place[0], place[1]], z);
+                let shallow = z < hx.max(hy);
+                (self.moved(z, sum), if shallow { self.stress(*place) } else { turned(stress) })
+            };
+            return places.par_iter().map(field).collect();
         };
-        let (_, moved) = self.rest(at, z);
-        sum.iter_mut().zip(moved).for_each(|(sum, moved)| *sum += moved);
-        let mut moved = sum.map(|value| 0.5 * value / material.shear_modulus());
+        let mut planes: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        for (index, place) in places.iter().enumerate() {
+            planes.entry(depth(place).to_bits()).or_default().push(index);
+        }
+        let mut fields = vec![Default::default(); places.len()];
+        for (z, indices) in planes {
+            let z = f64::from_bits(z);
+            let at: Vec<_> = indices.iter().map(|own| [places[*own][0], places[*own][1]]).collect();
+            for (index, (stress, sum)) in indices.into_iter().zip(waves.at(self, &at, z)) {
+                fields[index] = (self.moved(z, sum), turned(stress));
+            }
+        }
+        fields
+    }
+
+    /// The displacement (m) along x, y and z at a depth (m), of sums there times twice the shear modulus and into the body.
+    fn moved(&self, z: f64, sum: [f64; 3]) -> [f64; 3] {
+        let mut moved = sum.map(|value| 0.5 * value / self.material(z).shear_modulus());
         // Far away all is as in what is below the layers.
         let base = self.layers.as_ref().map_or(Some(self.material), |layers| layers.base());
-        if let (Some(depth), Some(base)) = (self.depth, base) {
+        if let (Some(depth), Some(base), false) = (self.depth, base, self.repeats()) {
             let added = strip::from_depth(base.poisson, depth);
             for axis in 0..3 {
                 let all: f64 = self.tractions[axis].iter().sum();
@@ -253,75 +283,7 @@ impl Below {
 
     /// The stress (Pa) of even elements at a place and a depth (m); on the surface not finite at the edges of those that are pressed.
     pub fn even(&self, at: [f64; 2], z: f64) -> Components {
-        let poisson = self.material(z).poisson;
-        let mut stress = match self.depth {
-            None => self.weighed(
-                at,
-                |from| corner::functions(from, z),
-                |functions| corner::stress(functions, poisson),
-            ),
-            Some(_) => self.weighed(
-                at,
-                |[x, _]| strip::functions(x, z),
-                |functions| strip::stress(functions, poisson),
-            ),
-        };
-        let (rest, _) = self.rest(at, z);
-        stress.iter_mut().zip(rest).for_each(|(sum, own)| *sum += own);
-        turned(stress)
-    }
-
-    /// What all corners do: the sums of their functions, weighed by how tractions along each axis change there, and what makes
-    /// something of them under unit tractions along each.
-    fn weighed<const F: usize, const N: usize>(
-        &self,
-        at: [f64; 2],
-        functions: impl Fn([f64; 2]) -> [f64; F],
-        made: impl Fn(&[f64; F]) -> [[f64; N]; 3],
-    ) -> [f64; N] {
-        let mut sums = [[0.0; F]; 3];
-        for (corner, change) in self.changes.iter() {
-            let functions = functions([at[0] - corner[0], at[1] - corner[1]]);
-            for (sums, change) in sums.iter_mut().zip(change) {
-                sums.iter_mut().zip(functions).for_each(|(sum, value)| *sum += change * value);
-            }
-        }
-        let scale = if self.depth.is_some() { PI } else { 2.0 * PI };
-        let mut all = [0.0; N];
-        for (axis, sums) in sums.iter().enumerate() {
-            let own = made(sums)[axis];
-            all.iter_mut().zip(own).for_each(|(all, own)| *all += own / scale);
-        }
-        all
-    }
-
-    /// Where tractions change, and by how much.
-    fn changes(&self) -> Vec<([f64; 2], [f64; 3])> {
-        let [nx, ny] = self.elements;
-        let line = self.depth.is_some();
-        let at = |axis: usize, i: usize, j: usize| -> f64 {
-            // The element whose lowest corner this is, counted from one.
-            let inside = (1..=nx).contains(&i) && (1..=ny).contains(&j);
-            if inside { self.tractions[axis][i - 1 + nx * (j - 1)] } else { 0.0 }
-        };
-        let rows = if line { 1 } else { ny + 1 };
-        let mut changes = vec![];
-        for j in 1..=rows {
-            for i in 1..=nx + 1 {
-                let change = [0, 1, 2].map(|axis| {
-                    let [here, left] = [at(axis, i, j), at(axis, i - 1, j)];
-                    let below = at(axis, i, j - 1) - at(axis, i - 1, j - 1);
-                    if line { here - left } else { (here - left) - below }
-                });
-                if change != [0.0; 3] {
-                    let corner = [i, j].map(|index| (index - 1) as f64);
-                    let corner =
-                        [0, 1].map(|axis| self.corner[axis] + self.spacing[axis] * corner[axis]);
-                    changes.push((corner, change));
-                }
-            }
-        }
-        changes
+        turned(self.sums(at, z).0)
     }
 }
 

@@ -67,7 +67,7 @@ pub(super) fn components(
 }
 
 /// The displacements by the functions c^2, s^2, c s, i c and i s.
-fn displacements(
+pub(super) fn displacements(
     [cc, ss, cs, ic, is]: [f64; 5],
     &[along, into, pushed, sunk, across]: &[f64; 5],
 ) -> [[f64; 3]; 3] {

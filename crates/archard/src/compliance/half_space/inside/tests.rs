@@ -3,6 +3,8 @@
 mod hertz;
 mod kernels;
 mod layered;
+mod tree;
+mod waves;
 
 use super::Below;
 use crate::body::Material;

@@ -1,40 +1,38 @@
-//! Stresses below surfaces that repeat themselves: tractions are waves between the elements, and each wave has its own field.
+//! Stresses and displacements below surfaces that repeat themselves: tractions are waves between the elements, and each wave has its own
+//! field, that of a half-space or of [layers](super::layers).
 //!
-//! A wave of number k along l decays with depth as exp(-k z), z into the body. With d = k z and t across the wave, a pressure of 1 has
-//!
-//! ```text
-//! ll = -(1 - d)   zz = -(1 + d)   tt = -2 nu   lz = i d
-//! ```
-//!
-//! and a traction of 1 on the body along l, or along t,
-//!
-//! ```text
-//! ll = i (2 - d)   zz = i d   tt = 2 nu i   lz = -(1 - d)        tz = -1   lt = i
-//! ```
-//!
-//! times exp(-d) (K. L. Johnson, *Contact Mechanics*, 1985, section 13.2, for waves of pressure; the others by Airy's function z exp(-k z)).
-//! The mean of the pressures is borne without strain along the surface.
+//! The mean of the pressures is borne without strain along the surface; it squeezes, and the mean of friction shears, what lies between a
+//! place and the depth that displacements are measured from.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 use rustfft::FftPlanner;
 
 use super::Below;
-use super::plane::parity;
-use super::rest::components;
-use crate::numerics::convolution::{Convolution, Parity, Spectrum};
+use super::layers::half_space;
+use super::plane::{odd, parity};
+use super::rest::{Rest, components, displacements};
+use super::sums::Sums;
+use crate::numerics::convolution::{Convolution, Spectrum};
 use crate::stress::Components;
 
-/// Waves that are summed up at once. A choice of effort.
-const CHUNK: usize = 4096;
+/// Depths whose waves are kept: a place and those above and below it. A choice of memory.
+const KEPT: usize = 3;
+/// Components of the stress and the displacement.
+const ALL: usize = 9;
 
 /// Tractions as waves.
 pub(super) struct Waves {
     convolution: Convolution,
+    /// How far below the contact (m) displacements are measured from.
+    depth: f64,
+    /// Column by column.
     all: OnceLock<Vec<Wave>>,
+    kept: Mutex<Vec<Arc<Depth>>>,
 }
 
 /// A wave of tractions.
@@ -47,39 +45,14 @@ struct Wave {
     amplitudes: [Complex64; 3],
 }
 
-/// What a wave along a direction (cosine and sine) makes of a unit traction along x, y or into the body: the components, those times i
-/// that are odd along one axis only. It goes `d` of its lengths over 2 pi into the body.
-fn field(axis: usize, [c, s]: [f64; 2], d: f64, poisson: f64) -> Components {
-    let n = poisson;
-    let decay = (-d).exp();
-    let own = match axis {
-        0 => along([c, s], d, n),
-        1 => {
-            let [yy, xx, zz, xy, yz, xz] = along([s, c], d, n);
-            [xx, yy, zz, xy, xz, yz]
-        }
-        _ => [
-            -(c * c * (1.0 - d) + 2.0 * n * s * s),
-            -(s * s * (1.0 - d) + 2.0 * n * c * c),
-            -(1.0 + d),
-            -c * s * (1.0 - d - 2.0 * n),
-            c * d,
-            s * d,
-        ],
-    };
-    own.map(|value| value * decay)
-}
-
-/// The same of a traction along x, without the decay.
-fn along([c, s]: [f64; 2], d: f64, n: f64) -> Components {
-    [
-        c * (c * c * (2.0 - d) + 2.0 * s * s * (1.0 + n)),
-        c * (2.0 * n * c * c - s * s * d),
-        c * d,
-        s * (c * c * (1.0 - d - 2.0 * n) + s * s),
-        -(c * c * (1.0 - d) + s * s),
-        c * s * d,
-    ]
+/// The waves that reach a depth.
+struct Depth {
+    /// The piece that is asked about, and the depth (m).
+    at: (Option<usize>, f64),
+    /// Wave numbers (1/m) of the columns and of the rows.
+    k: [Vec<f64>; 2],
+    /// Amplitudes of the stress (Pa) and of the displacement times twice the shear modulus (N/m), column by column.
+    amplitudes: Vec<[Complex64; ALL]>,
 }
 
 /// What the mean of a traction makes.
@@ -92,87 +65,196 @@ fn even(axis: usize, poisson: f64) -> Components {
     }
 }
 
-/// What a wave of these numbers (1/m) makes, `z` (m) deep.
-fn of_wave(below: &Below, axis: usize, [x, y]: [f64; 2], z: f64) -> Components {
+/// What a wave of these numbers (1/m) makes `z` (m) deep of unit tractions along each axis: what is odd along one axis only is times i.
+fn of_wave(below: &Below, [x, y]: [f64; 2], z: f64) -> Rest {
     let (k, poisson) = (x.hypot(y), below.material(z).poisson);
     if k == 0.0 {
-        return even(axis, poisson);
+        return ([0, 1, 2].map(|axis| even(axis, poisson)), Default::default());
     }
     let [c, s] = [x / k, y / k];
-    match below.piece(z) {
-        None => field(axis, [c, s], k * z, poisson),
-        Some((layers, piece)) => {
-            let functions = [1.0, c * c, c * s, c, s, c * s * s, s * c * c];
-            components(functions, &layers.wave(piece, z, k))[axis]
-        }
-    }
-}
-
-/// Whether what a component is under a traction along an axis is odd along x and along y.
-fn odd(component: usize, axis: usize) -> [bool; 2] {
-    parity(component, axis, false).map(|parity| parity == Parity::Odd)
+    let (stress, moved) = match below.piece(z) {
+        None => half_space(z, poisson).wave(k),
+        Some((layers, piece)) => layers.wave(piece, z, k),
+    };
+    let along = [c * c, s * s, c * s, c, s];
+    let functions = [1.0, c * c, c * s, c, s, c * s * s, s * c * c];
+    (components(functions, &stress), displacements(along, &moved))
 }
 
 impl Waves {
-    /// Of a number of elements that is even or one along each axis.
-    pub fn on(elements: [usize; 2]) -> Self {
-        Self { convolution: Convolution::wrapping(elements), all: OnceLock::new() }
+    /// Of a number of elements that is even or one along each axis; displacements are measured from so far (m) below the contact.
+    pub fn on(elements: [usize; 2], depth: f64) -> Self {
+        let convolution = Convolution::wrapping(elements);
+        Self { convolution, depth, all: OnceLock::new(), kept: Mutex::default() }
+    }
+
+    /// How far below the contact (m) displacements are measured from.
+    pub fn depth(&self) -> f64 {
+        self.depth
     }
 
     pub fn convolution(&self) -> &Convolution {
         &self.convolution
     }
 
-    /// The spectrum of a component under tractions along an axis.
-    pub fn kernel(&self, below: &Below, (axis, component): (usize, usize), depth: f64) -> Spectrum {
-        let size = below.size();
-        self.convolution.transfer(parity(component, axis, false), |waves| {
+    /// The spectra of components under tractions along axes, at a depth (m).
+    pub fn kernels(&self, below: &Below, wanted: &[[usize; 2]], depth: f64) -> Vec<Spectrum> {
+        let (size, [columns, rows]) = (below.size(), below.elements.map(|count| count / 2 + 1));
+        let wave = |index: usize| {
+            let waves = [index % columns, index / columns];
             let k = [0, 1].map(|axis| TAU * waves[axis] as f64 / size[axis]);
-            of_wave(below, axis, k, depth)[component]
-        })
+            of_wave(below, k, depth).0
+        };
+        let all: Vec<[Components; 3]> = (0..columns * rows).into_par_iter().map(wave).collect();
+        let kernel = |&[axis, component]: &[usize; 2]| {
+            self.convolution.transfer(parity(component, axis, false), |waves| {
+                all[waves[0] + columns * waves[1]][axis][component]
+            })
+        };
+        wanted.iter().map(kernel).collect()
     }
 
-    /// The stress (Pa) at a place, in axes with z into the body.
-    pub fn stress(&self, below: &Below, at: [f64; 2], z: f64) -> Components {
+    /// Stress (Pa), and displacement times twice the shear modulus (N/m), at places along x and y (m) of that depth (m), in axes with z
+    /// into the body.
+    pub fn at(&self, below: &Below, places: &[[f64; 2]], z: f64) -> Vec<Sums> {
         let first = below.place(0);
-        let from = [0, 1].map(|axis| at[axis] - first[axis]);
-        let part = |waves: &[Wave]| {
-            let mut sum = [0.0; 6];
-            for wave in waves {
-                wave.add(below, (from, z), &mut sum);
+        let waves = self.waves_at(below, z);
+        let mut groups: [BTreeMap<u64, Vec<usize>>; 2] = Default::default();
+        for (index, place) in places.iter().enumerate() {
+            for axis in 0..2 {
+                groups[axis].entry(place[axis].to_bits()).or_default().push(index);
             }
-            sum
+        }
+        // Waves are summed up along one axis once for all places in line along the other one.
+        let axis = usize::from(groups[1].len() <= groups[0].len());
+        let lines: Vec<&Vec<usize>> = groups[axis].values().collect();
+        let line = |indices: &&Vec<usize>| -> Vec<(usize, Sums)> {
+            let from = places[indices[0]][axis] - first[axis];
+            let summed = waves.along(axis, from);
+            let at = |&index: &usize| {
+                let from = places[index][1 - axis] - first[1 - axis];
+                (index, waves.across(1 - axis, &summed, from))
+            };
+            indices.par_iter().map(at).collect()
         };
-        let all = self.all.get_or_init(|| waves(below));
-        // Summed up in the same order on any number of threads.
-        let parts: Vec<Components> = all.par_chunks(CHUNK).map(part).collect();
-        let mut sum = [0.0; 6];
-        parts.iter().for_each(|part| sum.iter_mut().zip(part).for_each(|(sum, own)| *sum += own));
-        sum
+        let mean = self.mean(below, z);
+        let mut found = vec![Sums::default(); places.len()];
+        for (index, (stress, moved)) in lines.par_iter().flat_map(line).collect::<Vec<_>>() {
+            found[index] = (stress, std::array::from_fn(|axis| moved[axis] + mean[axis]));
+        }
+        found
+    }
+
+    /// What means of tractions displace a depth (m) by, times twice the shear modulus there (N/m).
+    fn mean(&self, below: &Below, z: f64) -> [f64; 3] {
+        let all = self.all(below);
+        let materials = below.pieces().into_iter().enumerate().map(|(index, ends)| {
+            let layers = below.layers.as_ref();
+            (layers.map_or(below.material, |layers| layers.material(index)), ends)
+        });
+        let [sheared, squeezed] = materials.fold([0.0; 2], |sum, (material, [top, end])| {
+            let thickness = match end.is_finite() {
+                true => (end - top.max(z)).max(0.0),
+                false => (self.depth - top).max(0.0) - (z - top).max(0.0),
+            };
+            let (own, poisson) = (thickness / material.shear_modulus(), material.poisson);
+            [sum[0] + own, sum[1] + 0.5 * (1.0 - 2.0 * poisson) / (1.0 - poisson) * own]
+        });
+        let scale = 2.0 * below.material(z).shear_modulus();
+        let mean = all[0].amplitudes.map(|own| scale * own.re);
+        [sheared * mean[0], sheared * mean[1], squeezed * mean[2]]
+    }
+
+    fn all(&self, below: &Below) -> &[Wave] {
+        self.all.get_or_init(|| waves(below))
+    }
+
+    /// The waves at a depth (m).
+    fn waves_at(&self, below: &Below, z: f64) -> Arc<Depth> {
+        let kept = || self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = kept().iter().find(|own| own.at == (below.piece, z)) {
+            return known.clone();
+        }
+        let made = Arc::new(Depth::of(self.all(below), below, z));
+        let mut kept = kept();
+        if kept.len() >= KEPT {
+            kept.remove(0);
+        }
+        kept.push(made.clone());
+        made
+    }
+}
+
+impl Depth {
+    fn of(all: &[Wave], below: &Below, z: f64) -> Self {
+        let ny = below.elements[1];
+        // What is left of the others is rounded off.
+        let reaches = |k: f64| k.abs() * z <= -f64::EPSILON.ln();
+        let columns: Vec<usize> =
+            (0..all.len() / ny).filter(|column| reaches(all[column * ny].k[0])).collect();
+        let rows: Vec<usize> = (0..ny).filter(|row| reaches(all[*row].k[1])).collect();
+        let amplitudes = |index: usize| {
+            let wave = &all[columns[index / rows.len()] * ny + rows[index % rows.len()]];
+            if reaches(wave.k[0].hypot(wave.k[1])) { wave.at(below, z) } else { Default::default() }
+        };
+        let count = columns.len() * rows.len();
+        Self {
+            at: (below.piece, z),
+            amplitudes: (0..count).into_par_iter().with_min_len(256).map(amplitudes).collect(),
+            k: [
+                columns.iter().map(|column| all[column * ny].k[0]).collect(),
+                rows.iter().map(|row| all[*row].k[1]).collect(),
+            ],
+        }
+    }
+
+    /// The sums over the waves along an axis where it is so far (m) from the first element.
+    fn along(&self, axis: usize, from: f64) -> Vec<[Complex64; ALL]> {
+        let phases: Vec<Complex64> =
+            self.k[axis].iter().map(|k| Complex64::cis(k * from)).collect();
+        let rows = self.k[1].len();
+        let mut sums = vec![[Complex64::ZERO; ALL]; self.k[1 - axis].len()];
+        for (index, own) in self.amplitudes.iter().enumerate() {
+            let at = [index / rows, index % rows];
+            let phase = phases[at[axis]];
+            for (sum, own) in sums[at[1 - axis]].iter_mut().zip(own) {
+                *sum += own * phase;
+            }
+        }
+        sums
+    }
+
+    /// The sum along the other axis, where it is so far (m) from the first element.
+    fn across(&self, axis: usize, sums: &[[Complex64; ALL]], from: f64) -> Sums {
+        let mut all = [0.0; ALL];
+        for (k, own) in self.k[axis].iter().zip(sums) {
+            let phase = Complex64::cis(k * from);
+            all.iter_mut().zip(own).for_each(|(all, own)| *all += (own * phase).re);
+        }
+        let [xx, yy, zz, xy, xz, yz, x, y, z] = all;
+        ([xx, yy, zz, xy, xz, yz], [x, y, z])
     }
 }
 
 impl Wave {
-    /// Adds the stress (Pa) of the wave at a place along x and y, so deep (m).
-    fn add(&self, below: &Below, (from, z): ([f64; 2], f64), sum: &mut Components) {
+    /// The amplitudes of its stress and displacement at a depth (m): the real part of each, turned by the phase of a place, is what
+    /// there is.
+    fn at(&self, below: &Below, z: f64) -> [Complex64; ALL] {
         let Self { k, still, amplitudes } = self;
-        // What is left of it is rounded off.
-        if k[0].hypot(k[1]) * z > -f64::EPSILON.ln() {
-            return;
-        }
-        let phase = Complex64::cis(k[0] * from[0] + k[1] * from[1]);
-        let none = Complex64::ZERO;
-        for (axis, amplitude) in amplitudes.iter().enumerate().filter(|(_, own)| **own != none) {
-            let turned = amplitude * phase;
-            let own = of_wave(below, axis, *k, z);
+        let (stresses, moved) = of_wave(below, *k, z);
+        let mut sum = [Complex64::ZERO; ALL];
+        for (axis, amplitude) in amplitudes.iter().enumerate() {
+            let own = stresses[axis].iter().chain(&moved[axis]);
             for (component, (sum, own)) in sum.iter_mut().zip(own).enumerate() {
                 let odd = odd(component, axis);
                 if (0..2).any(|axis| odd[axis] && still[axis]) {
                     continue;
                 }
-                *sum += own * if odd[0] == odd[1] { turned.re } else { -turned.im };
+                let turn = if odd[0] == odd[1] { Complex64::ONE } else { Complex64::I };
+                *sum += own * turn * amplitude;
             }
         }
+        sum
     }
 }
 
@@ -209,109 +291,4 @@ fn waves(below: &Below) -> Vec<Wave> {
         }
     };
     (0..(nx / 2 + 1) * ny).map(wave).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::TAU;
-
-    use approx::assert_relative_eq;
-
-    use super::Below;
-    use crate::Material;
-    use crate::frame::{ContactFrame, Rectangle, VectorField};
-
-    const SIZE: [f64; 2] = [1e-3, 0.5e-3];
-    const ELEMENTS: [usize; 2] = [32, 16];
-
-    /// Below tractions (Pa) on the body along x and y and a pressure, functions of the place (m).
-    fn below(tractions: impl Fn([f64; 2]) -> [f64; 3]) -> Below {
-        let corner = [0, 1].map(|axis| -0.5 * SIZE[axis]);
-        let rectangle = Rectangle { centre: [0.0; 2], size: SIZE };
-        let flat = &crate::body::profile::Flat;
-        let frame = ContactFrame::uniform(rectangle, ELEMENTS, [flat, flat]).unwrap();
-        let spacing = frame.spacing();
-        let mut field = VectorField::zeros(frame.len());
-        for pair in 0..frame.len() {
-            let at = [pair % ELEMENTS[0], pair / ELEMENTS[0]];
-            let place = [0, 1].map(|axis| corner[axis] + spacing[axis] * (at[axis] as f64 + 0.5));
-            let [x, y, p] = tractions(place);
-            (field.t1[pair], field.t2[pair], field.n[pair]) = (x, y, -p);
-        }
-        let steel = Material::new(210e9, 0.3).unwrap();
-        Below::new(&steel, &frame, &field, 1e-2).unwrap()
-    }
-
-    /// The stresses are in balance, meet the tractions on the surface, and are those of Hooke's law with strains that fit together: the
-    /// trace is harmonic, and the laplacian of each component is minus its second derivative over 1 + nu (Beltrami and Michell).
-    #[test]
-    fn waves_are_fields_of_an_elastic_body() {
-        let [p, q] = [TAU * 2.0 / SIZE[0], TAU / SIZE[1]];
-        let tractions = |[x, y]: [f64; 2]| {
-            let [one, other] = [(p * x + q * y + 0.3).cos(), (p * x - q * y).sin()];
-            [2e6 * one + 1e6, 1.5e6 * other - 0.5e6, 5e6 + 3e6 * other + 2e6 * one]
-        };
-        let below = below(tractions).repeated();
-        let h = 5e-7;
-        let stress = |[x, y, z]: [f64; 3]| below.stress([x, y, z]);
-        for place in [[0.1e-3, 0.07e-3, -0.05e-3], [-0.2e-3, 0.11e-3, -0.09e-3]] {
-            let moved = |axis: usize, by: f64| {
-                let mut moved = place;
-                moved[axis] += by;
-                stress(moved)
-            };
-            let slope =
-                |axis: usize, c: usize| (moved(axis, h)[c] - moved(axis, -h)[c]) / (2.0 * h);
-            for [x, y, z] in [[0, 3, 4], [3, 1, 5], [4, 5, 2]] {
-                let sum = slope(0, x) + slope(1, y) + slope(2, z);
-                let size = slope(0, x).abs() + slope(1, y).abs() + slope(2, z).abs();
-                assert!(sum.abs() < 1e-4 * size, "{sum} {size}");
-            }
-            let here = stress(place);
-            let second = |axis: usize, of: &dyn Fn([f64; 6]) -> f64| {
-                (of(moved(axis, h)) + of(moved(axis, -h)) - 2.0 * of(here)) / (h * h)
-            };
-            let trace = |s: [f64; 6]| s[0] + s[1] + s[2];
-            let laplacian =
-                |of: &dyn Fn([f64; 6]) -> f64| (0..3).map(|axis| second(axis, of)).sum::<f64>();
-            let size = (0..3).map(|axis| second(axis, &trace).abs()).sum::<f64>();
-            assert!(laplacian(&trace).abs() < 1e-3 * size, "{} {size}", laplacian(&trace));
-            for c in 0..3 {
-                let own = laplacian(&|s| s[c]) + second(c, &trace) / 1.3;
-                assert!(own.abs() < 1e-3 * size, "{c}: {own} {size}");
-            }
-        }
-        // On the surface, at the centre of an element.
-        let element = 5 + ELEMENTS[0] * 3;
-        let [x, y] = below.place(element);
-        let [along, across, pressure] = tractions([x, y]);
-        let [_, _, zz, _, xz, yz] = stress([x, y, 0.0]);
-        assert_relative_eq!(zz, -pressure, max_relative = 1e-9);
-        assert_relative_eq!(xz, along, max_relative = 1e-9);
-        assert_relative_eq!(yz, across, max_relative = 1e-9);
-        // A plane is what its points are.
-        let plane = below.plane(0.04e-3);
-        let known = stress([x, y, -0.04e-3]);
-        for (plane, known) in plane.iter().zip(known) {
-            assert_relative_eq!(plane[element], known, max_relative = 1e-9, epsilon = 1e-3);
-        }
-    }
-
-    /// A contact in the middle of a frame much wider than it has the stresses of one that stands alone, but for the even part.
-    #[test]
-    fn a_small_spot_has_the_stresses_of_a_half_space() {
-        let spot = |[x, y]: [f64; 2]| {
-            let left = 1.0 - (x * x + y * y) / (0.09e-3f64).powi(2);
-            let pressure = 1e9 * left.max(0.0);
-            [0.2 * pressure, -0.1 * pressure, pressure]
-        };
-        let [repeated, alone] = [below(spot).repeated(), below(spot)];
-        let peak = 1e9;
-        for place in [[0.0, 0.0, -0.06e-3], [0.03e-3, -0.02e-3, -0.05e-3]] {
-            let [one, other] = [&repeated, &alone].map(|below| below.stress(place));
-            for (one, other) in one.iter().zip(other) {
-                assert!((one - other).abs() < 0.05 * peak, "{one} {other}");
-            }
-        }
-    }
 }

@@ -10,7 +10,7 @@ use crate::compliance::half_space::inside::Below;
 use crate::frame::{ContactFrame, VectorField};
 
 /// Random numbers between -1 and 1.
-fn random() -> impl FnMut() -> f64 {
+pub(super) fn random() -> impl FnMut() -> f64 {
     let mut state = 7u64;
     move || {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

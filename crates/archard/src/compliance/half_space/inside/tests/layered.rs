@@ -23,15 +23,15 @@ fn layers(all: &[[f64; 3]]) -> Vec<Layer> {
 }
 
 /// A stack: shear modulus, Poisson's ratio and thickness of its layers, then the first two of what is below.
-type Stacked = (&'static [[f64; 3]], Option<[f64; 2]>);
+pub(super) type Stacked = (&'static [[f64; 3]], Option<[f64; 2]>);
 
-fn under(below: Below, (all, base): Stacked) -> Below {
+pub(super) fn under(below: Below, (all, base): Stacked) -> Below {
     let base = base.map(|[shear, poisson]| material(shear, poisson));
     below.layered(&layers(all), base.as_ref())
 }
 
-const HARD: Stacked = (&[[4.0, 0.25, 0.3]], Some([1.0, 0.3]));
-const SOFT: Stacked = (&[[0.25, 0.4, 0.5]], Some([1.0, 0.3]));
+pub(super) const HARD: Stacked = (&[[4.0, 0.25, 0.3]], Some([1.0, 0.3]));
+pub(super) const SOFT: Stacked = (&[[0.25, 0.4, 0.5]], Some([1.0, 0.3]));
 const RIGID: Stacked = (&[[1.0, 0.45, 0.6]], None);
 const TWO: Stacked = (&[[5.0, 0.25, 0.2], [0.5, 0.35, 0.4]], Some([1.0, 0.3]));
 const GRADED: Stacked = (
@@ -288,7 +288,7 @@ fn waves_go_through_layers() {
         [0.2 * pressure, -0.1 * pressure, pressure]
     };
     let alone = under(square([96, 96], 0.125, spot, None), TWO);
-    let repeated = under(square([96, 96], 0.125, spot, None), TWO).repeated();
+    let repeated = under(square([96, 96], 0.125, spot, None), TWO).repeated(10.0);
     for (piece, z) in [(0, 0.1), (0, 0.2), (1, 0.2), (1, 0.6), (2, 0.6), (2, 1.0)] {
         let [one, other] = [&alone, &repeated].map(|below| below.within(piece));
         let place = [0.0625, -0.3125, -z];
