@@ -12,7 +12,7 @@ mod maxima;
 mod section;
 mod surface;
 
-pub use fatigue::{Added, Criterion, Cycle};
+pub use fatigue::{Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
 pub use interfaces::{Interface, Side};
 pub use maxima::{Layer, Maxima, Maximum, Piece};

@@ -14,7 +14,6 @@ use archard::closed_form::sliding_line;
 use archard::elastic::{Criterion, Cycle, ElasticError, Maxima, Maximum, Pressed};
 use archard::frame::VectorField;
 use archard::motion::Control;
-use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, von_mises};
 use archard::{Body, Contact, Material};
 
@@ -303,7 +302,7 @@ fn a_point_under_fretting_tires_as_its_path_says() {
             mu * peak * sum.sum::<f64>()
         })
     });
-    let found = Cycle::of(instants.collect(), 0);
+    let found = Cycle::of(instants.collect());
     let depths: Vec<f64> = (2..40).map(|step| f64::from(step) * 0.02 * a).collect();
     let known = |x: f64, z: f64| -> Vec<Components> {
         let still = sliding_line::stress([x, z], 0.0, 0.3);
@@ -316,33 +315,8 @@ fn a_point_under_fretting_tires_as_its_path_says() {
         };
         cycle.iter().map(instant).collect()
     };
-    let none = [0.0; 6];
-    // Far below the contact a stress that swings with friction is all that there is: uniaxial, from -s to s about a mean.
-    let (young, swing, mean) = (210e9, 100.0 * peak, 30.0 * peak);
-    let even = |xx: f64| [xx, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let most = swing + mean;
-    let uniaxial = [
-        (Criterion::Crossland(0.3), swing / 3f64.sqrt() + 0.3 * most / 3.0),
-        (Criterion::DangVan(0.3), 0.5 * swing + 0.3 * most / 3.0),
-        (Criterion::Findley(0.3), 0.5 * (0.3 * most + (0.3 * most).hypot(swing))),
-        (Criterion::SmithWatsonTopper(Elastic { young, poisson: 0.3 }), most * swing / young),
-    ];
-    for (criterion, known) in uniaxial {
-        let added = (&even(mean), &even(-swing));
-        let found = found.fatigue(&criterion, (&[1000.0 * a], added)).unwrap();
-        assert!((found.value / known - 1.0).abs() < 1e-4, "{}: {found:?}", criterion.name());
-    }
-    // Where friction pushes body 1 forward, once, and to nothing: pulled then, or pressed.
-    let once = [0.0, 0.3].map(|mu| pressed(&contact, 0, |_, pressure| mu * pressure));
-    let once = Cycle::of(once.into(), 0);
-    let topper = Criterion::SmithWatsonTopper(Elastic { young, poisson: 0.3 });
-    for (swing, known) in [(swing, 0.5), (-swing, 0.0)] {
-        let added = (&none, &even(swing));
-        let found = once.fatigue(&topper, (&[1000.0 * a], added)).unwrap().value;
-        assert!((found * young / (swing * swing) - known).abs() < 1e-4, "{swing}: {found}");
-    }
     for criterion in [Criterion::Crossland(0.3), Criterion::DangVan(0.3)] {
-        let found = found.fatigue(&criterion, (&depths, (&none, &none))).unwrap();
+        let found = found.fatigue(&criterion, (&depths, &[0.0; 6])).unwrap();
         let places = (-150..=150).map(|step| f64::from(step) * 0.01);
         let all = places.flat_map(|x| (2..40).map(move |step| (x, f64::from(step) * 0.02)));
         let known = all.map(|(x, z)| criterion.of(&known(x, z))).fold(0.0, f64::max);

@@ -164,7 +164,7 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 }
 
 fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> fmt::Result {
-    let WantedStresses { depths, field, strength, layer_strengths, fatigue, .. } = wanted;
+    let WantedStresses { depths, field, initial, strength, layer_strengths, fatigue, .. } = wanted;
     let WantedFatigue { crossland, dang_van, findley, fatemi_socie, smith_watson_topper } = fatigue;
     if depths.is_empty() {
         writeln!(f, "{key}.depths = \"auto\"")?;
@@ -175,10 +175,8 @@ fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> 
     if *field {
         writeln!(f, "{key}.field = true")?;
     }
-    for (added, even) in [("initial", &wanted.initial), ("swinging", &wanted.swinging)] {
-        for (name, value) in COMPONENTS.iter().zip(even).filter(|(_, value)| **value != 0.0) {
-            writeln!(f, "{key}.{added}.{name} = {}", si(*value, "Pa"))?;
-        }
+    for (name, value) in COMPONENTS.iter().zip(initial).filter(|(_, value)| **value != 0.0) {
+        writeln!(f, "{key}.initial.{name} = {}", si(*value, "Pa"))?;
     }
     if let Some(strength) = strength {
         writeln!(f, "{key}.yield_strength = {}", si(*strength, "Pa"))?;

@@ -169,8 +169,7 @@ impl Inside {
                     pressed.check(&wanted.depths).map_err(failed)?;
                     let passing = match problem.motion.increments() {
                         Some(shift) if wanted.fatigue.is_wanted() => {
-                            let axis = problem.motion.direction.axis;
-                            Passing::Cycle(self.whole((shift, axis), bodies, (which, frame)))
+                            Passing::Cycle(self.whole(shift, bodies, (which, frame)))
                         }
                         _ => Passing::Along(problem.motion.direction.axis),
                     };
@@ -219,7 +218,7 @@ impl Inside {
     /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
     fn whole(
         &self,
-        (shift, axis): (&Shift, usize),
+        shift: &Shift,
         bodies: [&Body; 2],
         (which, frame): (usize, &ContactFrame),
     ) -> Option<Cycle> {
@@ -235,8 +234,7 @@ impl Inside {
             let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
             Some(self.repeated(pressed, bodies, (which, frame)))
         });
-        let cycle = |instants| Cycle::of(instants, axis);
-        whole.then(|| instants.collect::<Option<Vec<_>>>().map(cycle)).flatten()
+        whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
     }
 
     /// Displacements and tractions all over a body under tractions of contact.

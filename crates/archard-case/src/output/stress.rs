@@ -24,8 +24,6 @@ pub struct WantedStresses {
     pub field: bool,
     /// An even stress (Pa) that is added: what is left from manufacture, or what the whole body bears.
     pub initial: Components,
-    /// An even stress (Pa) in phase with friction over a cycle of the contact, as it is where friction pushes the body forward by most.
-    pub swinging: Components,
     /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
     pub strength: Option<f64>,
     /// The same of its layers, from the surface down; none where their hardness says it.
@@ -184,11 +182,10 @@ pub(super) fn write(
     }
     let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
     for criterion in criteria.into_iter().flatten() {
+        let at = (&depths[..], &wanted.initial);
         let found = match passing {
-            Passing::Along(axis) => pressed.fatigue(&criterion, (&depths, &wanted.initial), *axis),
-            Passing::Cycle(cycle) => cycle.as_ref().and_then(|cycle| {
-                cycle.fatigue(&criterion, (&depths, (&wanted.initial, &wanted.swinging)))
-            }),
+            Passing::Along(axis) => pressed.fatigue(&criterion, at, *axis),
+            Passing::Cycle(cycle) => cycle.as_ref().and_then(|cycle| cycle.fatigue(&criterion, at)),
         };
         let of = format!("`{}` of `{}`", criterion.name(), body.name);
         let stated = found.filter(|own| own.value != 0.0);

@@ -182,57 +182,42 @@ impl Pressed {
 #[derive(Debug)]
 pub struct Cycle {
     instants: Vec<(Pressed, [Below; 2])>,
-    /// The force of friction on the body at each, over the largest of the cycle; none without friction.
-    pushes: Option<Vec<f64>>,
 }
 
-/// Even stresses (Pa) that are added at all instants of a cycle, and in phase with friction: these as they are where it pushes the body
-/// forward along the motion by most.
-pub type Added<'a> = (&'a Components, &'a Components);
-
 impl Cycle {
-    /// Of the half-space at the instants, in their order, moved along that axis.
-    pub fn of(instants: Vec<Pressed>, axis: usize) -> Self {
-        let pushes: Vec<f64> = instants.iter().map(|own| own.below.push(axis)).collect();
-        let largest = pushes.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
-        let pushes = pushes.into_iter().map(|own| own / largest).collect();
-        let pushes = (largest > 0.0).then_some(pushes);
+    /// Of the half-space at the instants, in their order.
+    pub fn of(instants: Vec<Pressed>) -> Self {
         let levels = |pressed: Pressed| {
             let coarser = pressed.coarser();
             (pressed, coarser)
         };
-        Self { instants: instants.into_iter().map(levels).collect(), pushes }
+        Self { instants: instants.into_iter().map(levels).collect() }
     }
 
-    /// What a criterion says at most of all points, at these depths (m) and between them, with even stresses added. `None` where
-    /// nothing is known, where there is no friction that a stress is in phase with, and as of [`Pressed::maxima`].
+    /// What a criterion says at most of all points, at these depths (m) and between them, with an even stress added. `None` where
+    /// nothing is known, and as of [`Pressed::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
-        (depths, added): (&[f64], Added<'_>),
+        (depths, initial): (&[f64], &Components),
     ) -> Option<Maximum> {
-        let in_phase = *added.1 == [0.0; 6] || self.pushes.is_some();
-        if !in_phase || !self.instants.iter().all(|(pressed, _)| pressed.is_judged()) {
+        if !self.instants.iter().all(|(pressed, _)| pressed.is_judged()) {
             return None;
         }
-        deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, added)))
+        deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, initial)))
     }
 
     /// The paths of points below the centres of elements at a depth (m); those that are not known at all instants are left out.
-    fn paths(&self, level: usize, depth: f64, (initial, swinging): Added<'_>) -> Vec<Path> {
-        let push = |instant: usize| self.pushes.as_ref().map_or(0.0, |pushes| pushes[instant]);
-        let planes = self.instants.iter().enumerate().map(|(instant, (one, own))| {
-            let added = std::array::from_fn(|i| initial[i] + push(instant) * swinging[i]);
-            (one.level(own, level).plane(depth), added)
-        });
-        let planes: Vec<([Vec<f64>; 6], Components)> = planes.collect();
+    fn paths(&self, level: usize, depth: f64, initial: &Components) -> Vec<Path> {
+        let planes: Vec<[Vec<f64>; 6]> =
+            self.instants.iter().map(|(one, own)| one.level(own, level).plane(depth)).collect();
         let Some((pressed, coarser)) = self.instants.first() else { return vec![] };
         let below = pressed.level(coarser, level);
         let path = |element: usize| {
             let [x, y] = below.place(element);
             let known = self.instants.iter().all(|(pressed, _)| pressed.knows([x, y, -depth]));
-            let stress = |(plane, added): &([Vec<f64>; 6], Components)| -> Components {
-                std::array::from_fn(|i| plane[i][element] + added[i])
+            let stress = |plane: &[Vec<f64>; 6]| -> Components {
+                std::array::from_fn(|i| plane[i][element] + initial[i])
             };
             known.then(|| ([x, y], planes.iter().map(stress).collect()))
         };

@@ -119,13 +119,6 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
         return vec![problem];
     }
     let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
-    let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
-    let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
-    let swings = stresses.as_ref().is_some_and(|wanted| wanted.swinging != [0.0; 6]);
-    if swings && !(fatigue.is_some() && cycle && parts.friction.is_some()) {
-        let message = "swings with the friction on a body that stays under a contact that goes through a cycle, and is for `fatigue` alone: here is no such friction, or no criterion of fatigue";
-        return vec![Problem::error(key("stress").child("swinging"), message).at_name()];
-    }
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
         if body.has_image() {
@@ -133,6 +126,8 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             return vec![Problem::error(key, message).at_name()];
         }
         let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
+        let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
+        let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
         if !cycle && (!passes || parts.motion.lever_arm() == Some(Lever::Radius)) {
             let message = "is for a body whose points pass through the contact along an axis, one after the other, or stay under it while it goes through a cycle; under this motion they do neither";
             return vec![Problem::error(key, message).at_name()];

@@ -64,11 +64,6 @@ const PARAMETERS: &[Parameter] = &[
         "an even stress that is added: residual, or what the whole body bears",
     ),
     Parameter::optional(
-        "swinging",
-        Quantity::Section(INITIAL),
-        "an even stress that swings in phase with friction over a cycle, added for `fatigue`: as it is where friction pushes the body forward by most",
-    ),
-    Parameter::optional(
         "fatigue",
         Quantity::Section(FATIGUE),
         "criteria of fatigue of points that pass through the contact, with their factors",
@@ -123,11 +118,9 @@ impl Reader<'_> {
             None => vec![],
             Some((key, entry)) => self.strengths(key, &entry.node)?,
         };
-        let even = |added: &str| {
-            let own = values.section(added);
-            COMPONENTS.map(|name| own.and_then(|own| own.number(name)).unwrap_or_default())
-        };
-        let (initial, swinging) = (even("initial"), even("swinging"));
+        let initial = values.section("initial");
+        let initial =
+            COMPONENTS.map(|name| initial.and_then(|own| own.number(name)).unwrap_or_default());
         let fatigue = values.section("fatigue");
         let factor = |name: &str| fatigue.and_then(|own| own.number(name));
         let fatigue = WantedFatigue {
@@ -142,7 +135,6 @@ impl Reader<'_> {
             depths,
             field,
             initial,
-            swinging,
             strength,
             layer_strengths,
             hardness: vec![],
