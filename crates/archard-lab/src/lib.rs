@@ -50,7 +50,8 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     match file.task() {
         Ok(Task::WheelRail(resolved)) => wheel::fit((file, &resolved.case), table, request),
         Ok(Task::Cam(_) | Task::Elastic(_) | Task::Gear(_)) => Err(Error::Mismatch(
-            "a fit is one of two bodies in contact, which wear, or of a wheel on its rail".to_owned(),
+            "a fit is one of two bodies in contact, which wear, or of a wheel on its rail"
+                .to_owned(),
         )),
         // What is wrong with the case is found there, too.
         _ => search::fit(file, table, request),
