@@ -62,8 +62,10 @@ fn flattened_waves_have_the_pressure_of_a_cosine() {
 #[test]
 fn flattened_waves_have_the_stresses_and_displacements_of_a_cosine_below() {
     let [modulus, flattens] = flattening();
-    let (simulation, _) = wavy(1.25 * flattens, 64);
-    let contact = Contact::at_first(simulation).unwrap();
+    let wavy = Body::new("wavy", Wave::new(AMPLITUDE, [Some(LENGTH), None]).unwrap());
+    let bodies = [wavy.material(steel()), Body::new("flat", Flat)];
+    let pressed = Contact::between(bodies, Control::Load(1.25 * flattens * LENGTH)).unwrap();
+    let contact = pressed.line([LENGTH, 1.0], 64).periodic().solve().unwrap();
     let pressed = contact.below(0).unwrap();
     let k = 2.0 * PI / LENGTH;
     let known = |[x, _, z]: [f64; 3]| {
