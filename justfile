@@ -106,7 +106,7 @@ bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb1
     python3 crates/archard-cli/benches/cases.py target/of-earlier/release/archard target/release/archard \
         target/earlier/cases cases | tee target/bench-cases.md
 
-# solve the same contacts by Archard, ASPHER, Tamaas and ContactMechanics, into the book
+# solve the same problems by Archard and others (ASPHER, Tamaas, ContactMechanics, CalculiX; the bank of CONTACT), into the book
 peers:
     python3 benches/peers/peers.py
     python3 benches/peers/bodies.py

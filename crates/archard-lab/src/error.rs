@@ -1,7 +1,7 @@
 //! Why there is no fit.
 
 use super::Unfitted;
-use archard_case::measured;
+use archard_case::{CaseFile, Problem, measured};
 
 /// Why a case cannot be fitted to what was measured.
 #[non_exhaustive]
@@ -64,6 +64,12 @@ impl Error {
     /// Whether something did not converge, rather than being wrong from the start.
     pub fn is_of_convergence(&self) -> bool {
         matches!(self, Self::Run { .. })
+    }
+
+    /// What is wrong with a case.
+    pub(super) fn of_case(file: &CaseFile, problems: &[Problem]) -> Self {
+        let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
+        Self::Mismatch(why.join("\n"))
     }
 
     pub(super) fn untold(test: &str, cause: Unfitted<Error>) -> Self {

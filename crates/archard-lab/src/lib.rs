@@ -47,14 +47,13 @@ use archard_case::{CaseFile, Task};
 /// # Errors
 /// If case and table do not go together, a reading cannot be used, a run fails, or the tests do not tell a coefficient.
 pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
-    match file.task() {
-        Ok(Task::WheelRail(resolved)) => wheel::fit((file, &resolved.case), table, request),
-        Ok(Task::Cam(_) | Task::Elastic(_) | Task::Gear(_)) => Err(Error::Mismatch(
+    match file.task().map_err(|problems| Error::of_case(file, &problems))? {
+        Task::Contact(resolved) => search::fit((file, *resolved), table, request),
+        Task::WheelRail(resolved) => wheel::fit((file, &resolved.case), table, request),
+        Task::Cam(_) | Task::Elastic(_) | Task::Gear(_) => Err(Error::Mismatch(
             "a fit is one of two bodies in contact, which wear, or of a wheel on its rail"
                 .to_owned(),
         )),
-        // What is wrong with the case is found there, too.
-        _ => search::fit(file, table, request),
     }
 }
 

@@ -54,11 +54,11 @@ pub struct Request<'a> {
 }
 
 /// The coefficients of two bodies in contact.
-pub(super) fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
-    let resolved = file.resolve().map_err(|problems| {
-        let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
-        Error::Mismatch(why.join("\n"))
-    })?;
+pub(super) fn fit(
+    (file, resolved): (&CaseFile, Resolved),
+    table: &Table,
+    request: Request<'_>,
+) -> Result<Fit, Error> {
     let asked = (request.parameters, request.files);
     let mut measured = Measurement::of(table, &resolved.case, asked, None)?;
     let load = load_key(&resolved.case, &measured)?;

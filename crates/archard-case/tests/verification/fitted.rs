@@ -68,21 +68,9 @@ fn pressed(bodies: [Body; 2], radius: f64, load: f64, reach: f64) -> [f64; 3] {
 
 #[test]
 fn balls_in_sockets_are_as_by_finite_elements() {
-    for &[
-        radius,
-        clearance,
-        thickness,
-        young,
-        poisson,
-        load,
-        approach,
-        pressure,
-        angle,
-        whole,
-        peak,
-    ] in SOCKETS
-    {
+    for &[radius, clearance, thickness, young, poisson, load, ref known @ ..] in SOCKETS {
         let bodies = bodies(Round::Sphere, [radius, clearance, thickness], [young, poisson]);
+        let [approach, pressure, angle, whole, peak] = *known;
         let found = pressed(bodies, radius, load, angle + 8.0);
         let off = [approach, pressure, whole, peak];
         let off: [f64; 4] = std::array::from_fn(|i| found[i % 2] / off[i] - 1.0);
@@ -97,20 +85,8 @@ fn balls_in_sockets_are_as_by_finite_elements() {
 
 #[test]
 fn elastic_balls_are_as_by_harmonics() {
-    for &[
-        radius,
-        clearance,
-        own,
-        ratio,
-        thickness,
-        young,
-        poisson,
-        load,
-        approach,
-        pressure,
-        angle,
-    ] in BALLS
-    {
+    for &[radius, clearance, own, ratio, thickness, young, poisson, load, ref known @ ..] in BALLS {
+        let [approach, pressure, angle] = *known;
         let layer = if thickness.is_finite() { thickness.max(1.0) } else { 1.0 };
         let [ball, socket] = bodies(Round::Sphere, [radius, clearance, layer], [young, poisson]);
         let ball = ball.material(Material::new(1e6 * own, ratio).unwrap());

@@ -118,10 +118,7 @@ fn wheel_of(file: &CaseFile) -> Result<WheelRailCase, Error> {
     match file.task() {
         Ok(Task::WheelRail(resolved)) => Ok(resolved.case),
         Ok(_) => Err(Error::Mismatch("the case is none of a wheel on its rail".to_owned())),
-        Err(problems) => {
-            let why: Vec<String> = problems.iter().map(|one| file.describe(one)).collect();
-            Err(Error::Mismatch(why.join("\n")))
-        }
+        Err(problems) => Err(Error::of_case(file, &problems)),
     }
 }
 

@@ -158,8 +158,8 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     (depths.iter().zip(weights).map(image).collect(), missed / top[2])
 }
 
-/// Weights of exponentials of these depths (m) whose sum is what is wanted at the waves (1/m), and in the limit of the longest where there is one; by how much
-/// they miss it at most. `None` where their equations have no solution.
+/// Weights of exponentials of these depths (m) whose sum is what is wanted at the waves (1/m), and in the limit of the longest where
+/// there is one; by how much they miss it at most. `None` where their equations have no solution.
 pub(super) fn fit<const N: usize>(
     (depths, reach): (&[f64], f64),
     waves: &[f64],
