@@ -22,7 +22,6 @@ use archard::body::Body;
 use archard::estimate::{Estimate, Estimator};
 use archard::motion::{Lever, MOTIONS, Slip};
 use archard::numerics::counted;
-use archard::simulation::refusal::of_strips;
 use locate::Lost;
 
 /// Extent of the frame relative to the contact that is foreseen.
@@ -225,11 +224,6 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     }
     if asked[0] > 0.0 {
         frame.count();
-    }
-    // Slip varies from end to end of the line as it does across a contact.
-    let uneven = || of_strips(&parts.motion_of_bodies(), Some(frame.elements[1])).is_some();
-    if frame.line && chose.elements && uneven() {
-        frame.elements[1] = counted(across, 0);
     }
     let one = Frame { frame, doubles: vec![], found };
     let all = chose.size && chose.elements;
