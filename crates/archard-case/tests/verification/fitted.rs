@@ -103,7 +103,9 @@ fn elastic_balls_are_as_by_harmonics() {
             1e2 * off[0],
             1e2 * off[1],
         );
-        assert!(off[0].abs() < 6e-3 && off[1].abs() < 4e-3);
+        // What the verdict says of chords, and what the elements leave.
+        let most = 0.125 * (0.5 * angle.to_radians()).sin().powi(4) + 1e-4;
+        assert!(off.iter().all(|off| off.abs() < most), "{most}");
         assert!((found[2] - angle).abs() < 0.4);
     }
 }
