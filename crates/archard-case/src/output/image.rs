@@ -30,13 +30,16 @@ impl Image {
         }
     }
 
-    /// All that is worn off the surface of a body that roams from station to station, in the coordinates of the body; `None` of any
-    /// other.
+    /// All that is worn off the surface of a body that roams from station to station, or of a ball that turns in its socket, in the
+    /// coordinates of the body; `None` of any other.
     pub fn of_roaming(problem: &ContactProblem, state: &ContactState, body: usize) -> Option<Self> {
-        let table = problem.motion.table().filter(|_| problem.motion.roams(body))?;
         let (frame, surface) = (&problem.frame, &state.surfaces[body]);
         let (spacing, corner) = (frame.spacing(), frame.rectangle().corner());
-        let shown = table.rows()[table.shown()].offsets[body];
+        let shown = match problem.motion.table() {
+            Some(table) if problem.motion.roams(body) => table.rows()[table.shown()].offsets[body],
+            None if problem.motion.joint().is_some() && surface.grid.swings().is_some() => [0.0; 2],
+            _ => return None,
+        };
         let before = surface.grid.before();
         let first = |axis: usize| shown[axis] + corner[axis] - before[axis] as f64 * spacing[axis];
         let name = format!("wear_{}_m", problem.bodies[body].name);

@@ -76,6 +76,13 @@ impl Wrap {
         Self { hollow: 1, ..*self }.basis(place)
     }
 
+    /// The place (m) on a sphere in a direction from its centre, as [`Wrap::outwards`] has it; that straight down lies at no place of
+    /// its own and is taken to lie along x.
+    pub fn place(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
+        let (across, far) = (x.hypot(y), self.radius * (2.0 * (1.0 - z)).max(0.0).sqrt());
+        if across > 0.0 { [far * x / across, far * y / across] } else { [far, 0.0] }
+    }
+
     /// Unit vectors along both axes of the frame and out of body 1 at a place (m).
     pub(super) fn basis(&self, [x, y]: [f64; 2]) -> [[f64; 3]; 3] {
         let cosine = self.closing([x, y]);
@@ -101,6 +108,17 @@ mod tests {
 
     use super::Wrap;
     use crate::body::profile::Round;
+
+    /// Places are those of their directions.
+    #[test]
+    fn directions_lead_back() {
+        let wrap = Wrap { round: Round::Sphere, radius: 2.0, clearance: 0.1, hollow: 0, rim: 1.0 };
+        for place in [[0.0, 0.0], [0.3, -0.7], [-1.9, 1.1], [0.0, 3.5]] {
+            let found = wrap.place(wrap.outwards(place)[2]);
+            assert_abs_diff_eq!(found[0], place[0], epsilon = 1e-12);
+            assert_abs_diff_eq!(found[1], place[1], epsilon = 1e-12);
+        }
+    }
 
     /// The unit vectors are a right-handed basis, and at 60 degrees the normal leans by that angle.
     #[test]

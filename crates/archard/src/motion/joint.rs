@@ -76,6 +76,9 @@ const LOAD: Curve =
 pub struct Turn {
     /// Rotation vector (rad) of the ball over the socket, in the axes of the socket.
     pub vector: [f64; 3],
+    /// How the ball is turned at its start: rows of the matrix that takes its own axes, those of the socket at angles of zero, to the
+    /// socket's.
+    pub from: [[f64; 3]; 3],
     /// Load (N) along the pole.
     pub load: f64,
 }
@@ -106,7 +109,7 @@ impl Joint {
             let vector = between(here, next).ok_or_else(|| {
                 at("the ball turns by a right angle or more to the next station: give more of them")
             })?;
-            Ok(Turn { vector, load: loads[station] })
+            Ok(Turn { vector, from: here, load: loads[station] })
         };
         let turns: Vec<Turn> = (0..count).map(turn).collect::<Result<_, Invalid>>()?;
         let joint = Self { turns };
@@ -172,6 +175,20 @@ impl Turn {
     pub fn slip(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.vector;
         [b * z - c * y, c * x - a * z, a * y - b * x]
+    }
+
+    /// How the ball is turned after a share of the way, as [`Turn::from`].
+    pub fn after(&self, share: f64) -> [[f64; 3]; 3] {
+        let far = self.vector.map(|one| one * one).iter().sum::<f64>().sqrt();
+        let [x, y, z] = self.vector.map(|one| if far > 0.0 { one / far } else { 0.0 });
+        let (s, c) = (share * far).sin_cos();
+        let along = |one: f64, other: f64| one * other * (1.0 - c);
+        let turn = [
+            [along(x, x) + c, along(x, y) - z * s, along(x, z) + y * s],
+            [along(x, y) + z * s, along(y, y) + c, along(y, z) - x * s],
+            [along(x, z) - y * s, along(y, z) + x * s, along(z, z) + c],
+        ];
+        product(turn, self.from)
     }
 }
 
@@ -246,7 +263,7 @@ fn between(from: Matrix, to: Matrix) -> Option<[f64; 3]> {
 
 #[cfg(test)]
 mod tests {
-    use approx::assert_relative_eq;
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
 
     use super::Joint;
 
@@ -303,6 +320,20 @@ mod tests {
         let joint = Joint::new(&angles, &vec![1.0; 3600]).unwrap();
         let [way, _] = track(&joint, [0.0, 0.0]);
         assert_relative_eq!(way, 28.0 * std::f64::consts::PI * tilt.sin(), max_relative = 1e-5);
+    }
+
+    /// Each turn ends where the next one starts.
+    #[test]
+    fn turns_follow_each_other() {
+        let joint = Joint::iso_14242_1(60).unwrap();
+        let turns = joint.turns();
+        for (one, next) in turns.iter().zip(turns.iter().cycle().skip(1)) {
+            let [from, to] = [one.after(0.0), one.after(1.0)].map(|rows| rows.concat());
+            let known = [one.from, next.from].map(|rows| rows.concat());
+            for (found, known) in from.iter().chain(&to).zip(known.iter().flatten()) {
+                assert_abs_diff_eq!(found, known, epsilon = 1e-14);
+            }
+        }
     }
 
     #[test]

@@ -120,6 +120,22 @@ impl Grid {
         x + self.elements()[0] * y
     }
 
+    /// The four elements around a place (elements along x and y from the first pair of the frame), and the share of each that makes it
+    /// their mean; those at the rim stand for what lies beyond.
+    pub fn around(self, place: [f64; 2]) -> [(usize, f64); 4] {
+        let (elements, before) = (self.elements(), self.before());
+        let along = [0, 1].map(|axis| {
+            let last = elements[axis] as f64 - 1.0;
+            let at = (place[axis] + before[axis] as f64).clamp(0.0, last);
+            let low = at.floor();
+            let high = (low + 1.0).min(last);
+            [(low as usize, 1.0 - (at - low)), (high as usize, at - low)]
+        });
+        let [x, y] = along;
+        [(0, 0), (1, 0), (0, 1), (1, 1)]
+            .map(|(i, j)| (x[i].0 + elements[0] * y[j].0, x[i].1 * y[j].1))
+    }
+
     /// Where its first element lies on the same surface over another frame, in which its own frame begins at a pair.
     fn first_in(self, other: Self, first: [isize; 2]) -> [isize; 2] {
         [0, 1].map(|axis| match (self.along[axis], other.along[axis]) {
@@ -202,6 +218,14 @@ impl Surface {
         }
     }
 
+    /// Wears an element by a depth (m), of which the point there slid a distance (m).
+    pub fn wear_element(&mut self, element: usize, [depth, slip]: [f64; 2]) {
+        self.depth[element] += depth;
+        if let Some(slid) = self.slid.get_mut(element) {
+            *slid += slip;
+        }
+    }
+
     /// The sum of a field of the frame over the pairs at each element, in the middle of a swing.
     pub fn gathered(&self, field: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.depth.len()];
@@ -262,6 +286,20 @@ mod tests {
         surface.depth[13] = 2.0;
         assert_eq!(surface.worn()[..], [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
         assert_eq!(surface.along(0)[3], [1.0, 2.0]);
+    }
+
+    /// A place between elements belongs to all of them, to its distances.
+    #[test]
+    fn a_place_belongs_to_those_around_it() {
+        let grid = Grid::roaming([4, 2], [[3, 3], [1, 1]]);
+        let mean = |place: [f64; 2], axis: usize| {
+            let at = |element: usize| [element % 10, element / 10][axis] as f64;
+            grid.around(place).iter().map(|(element, share)| share * at(*element)).sum::<f64>()
+        };
+        for place in [[0.0, 0.0], [1.25, -0.5], [-2.75, 1.875], [6.0, 2.0]] {
+            assert_eq!([0, 1].map(|axis| mean(place, axis)), [place[0] + 3.0, place[1] + 1.0]);
+        }
+        assert_eq!([0, 1].map(|axis| mean([-9.0, 9.0], axis)), [0.0, 3.0]);
     }
 
     #[test]

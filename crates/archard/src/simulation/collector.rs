@@ -129,38 +129,24 @@ impl<'a> Collector<'a> {
         position: &Position,
         rubbing: impl Fn(usize) -> Rubbing,
     ) -> Wear {
-        let place =
-            |body: usize, pair: usize| state.surfaces[body].grid.at(pair, position.offsets[body]);
-        let before =
-            |body: usize, index: usize| state.surfaces[body].before(place(body, pairs[index]));
+        let before = |body: usize, index: usize| {
+            position.before((body, &state.surfaces[body]), pairs[index])
+        };
         let by_law = [0, 1].map(|body| self.stays[body] && self.coefficients[body].is_none());
         let mut wear = self.problem.wear(pairs.iter().map(|&pair| rubbing(pair)), by_law, before);
         for (body, coefficients) in self.coefficients.iter().enumerate() {
             let Some(coefficients) = coefficients else { continue };
             for (index, &pair) in pairs.iter().enumerate() {
                 let Rubbing { pressure, slip, .. } = rubbing(pair);
-                let all = self.along(state, (body, coefficients), position, pair);
-                let slope = all.map(|(share, own)| share * own).sum::<f64>() * slip;
+                let of = (body, state.surfaces[body].grid);
+                let mut mean = 0.0;
+                position.swept(of, pair, |element, share, _| mean += share * coefficients[element]);
+                let slope = mean * slip;
                 wear.depths[body][index] += slope * pressure;
                 wear.slopes[index] += slope;
             }
         }
         wear
-    }
-
-    /// The shares of the way of a pair over a body in a position, and the coefficients where they lie.
-    fn along<'s>(
-        &self,
-        state: &'s ContactState,
-        (body, coefficients): (usize, &'s [f64]),
-        position: &'s Position,
-        pair: usize,
-    ) -> impl Iterator<Item = (f64, f64)> + 's {
-        let [x, y] = position.offsets[body];
-        let grid = &state.surfaces[body].grid;
-        position.ways[body].iter().map(move |([along, across], share)| {
-            (*share, coefficients[grid.at(pair, [x + along, y + across])])
-        })
     }
 
     /// Whether any body stays that wears, or whose distance counts.
@@ -191,25 +177,31 @@ impl<'a> Collector<'a> {
     pub fn wear(&self, state: &mut ContactState, made: &Collected, position: &Position) {
         for body in (0..2).filter(|&body| self.stays[body]) {
             let Some(wear) = &made.pairs else { break };
-            let [x, y] = position.offsets[body];
-            // What each place of the way has of the mean over it.
-            let parts = self.coefficients[body].as_ref().map(|coefficients| {
-                let of = |pair: usize| {
-                    let all = || self.along(state, (body, coefficients), position, pair);
-                    let mean: f64 = all().map(|(share, own)| share * own).sum();
-                    all().map(|(_, own)| if mean > 0.0 { own / mean } else { 1.0 }).collect()
-                };
-                (0..wear.slip.len()).map(of).collect::<Vec<Vec<f64>>>()
-            });
             let surface = &mut state.surfaces[body];
-            for (way, ([along, across], share)) in position.ways[body].iter().enumerate() {
-                let offset = [x + along, y + across];
-                let own = parts.as_ref().map(|parts| {
-                    let depths = wear.depths[body].iter().zip(parts);
-                    depths.map(|(depth, parts)| depth * parts[way]).collect::<Vec<f64>>()
+            let coefficients = self.coefficients[body].as_deref();
+            if coefficients.is_none() && position.turned[body].is_none() {
+                let [x, y] = position.offsets[body];
+                for ([along, across], share) in &position.ways[body] {
+                    let offset = [x + along, y + across];
+                    surface.wear((&wear.depths[body], &wear.slip), offset, *share);
+                }
+                continue;
+            }
+            let of = (body, surface.grid);
+            for (pair, (depth, slip)) in wear.depths[body].iter().zip(&wear.slip).enumerate() {
+                if *depth == 0.0 && *slip == 0.0 {
+                    continue;
+                }
+                // What each place of the way has of the mean over it.
+                let part = coefficients.map(|own| {
+                    let mut mean = 0.0;
+                    position.swept(of, pair, |element, share, _| mean += share * own[element]);
+                    move |element: usize| if mean > 0.0 { own[element] / mean } else { 1.0 }
                 });
-                let depths = own.as_ref().unwrap_or(&wear.depths[body]);
-                surface.wear((depths, &wear.slip), offset, *share);
+                position.swept(of, pair, |element, share, _| {
+                    let own = part.as_ref().map_or(1.0, |part| part(element));
+                    surface.wear_element(element, [share * own * depth, share * slip]);
+                });
             }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };

@@ -1,4 +1,4 @@
-//! What does not fit bodies that fit into each other: a solid or rigid ball in whatever is around it, a rigid shaft in layers on something
+//! What does not fit bodies that fit into each other: a solid or rigid ball in whatever is around it, such a shaft in layers on something
 //! rigid, without friction, which stay opposite each other.
 
 use std::f64::consts::FRAC_PI_2;
@@ -9,6 +9,7 @@ use crate::body::{Body, Profile};
 use crate::compliance::HalfSpace;
 use crate::frame::Wrap;
 use crate::motion::{Lever, Motion};
+use crate::wear::{Input, Per, WearLaw};
 
 /// The kind of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,14 +44,9 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
         return material(body, what, "leave the mesh out, or give both bodies one and no profile");
     }
     match wrap.round {
-        Round::Sphere if !inner.layers.is_empty() => {
+        _ if !inner.layers.is_empty() => {
             let what = format!("has layers: a {inside} in a {outside} is solid");
             return material(inner, what, "leave them out, or give both bodies meshes");
-        }
-        Round::Cylinder if inner.uppermost().is_some() => {
-            let what = format!("is elastic: a {inside} in a {outside} is rigid");
-            let help = "write `rigid = true`, which holds for metal or ceramic on a polymer; give bodies of like stiffness meshes";
-            return material(inner, what, help);
         }
         Round::Cylinder if outer.layers.is_empty() || outer.material.is_some() => {
             let what = format!("is no layer on something rigid, as a {outside} has");
@@ -96,9 +92,13 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
         let what = format!("is for plane frames: a {inside} and its {outside} stay elastic");
         return Some(Refusal::new(Part::Hardness(body.name.clone()), what, "leave it out"));
     }
-    if motion.joint().is_some() && inner.wear.is_some() {
-        let what = "wears a ball that turns, on which each place has a way of its own: only the socket is followed";
-        return Some(Refusal::new(Part::Wear(inner.name.clone()), what, "leave it out"));
+    let directed =
+        |law: &dyn WearLaw| law.per() == Per::Increment && law.inputs().contains(&Input::Vectors);
+    if motion.joint().is_some() && inner.wear.as_deref().is_some_and(directed) {
+        let what = "depends on the direction of slip along axes of the frame, and the ball turns under them";
+        let help =
+            "take a law that does not, or `cross_shear`, which counts directions on the ball";
+        return Some(Refusal::new(Part::Wear(inner.name.clone()), what, help));
     }
     let joint = motion.joint().is_some() && wrap.round == Round::Sphere;
     let even = motion.lever_arm() == Some(Lever::Even);

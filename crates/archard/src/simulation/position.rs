@@ -1,13 +1,16 @@
 //! Positions of the surfaces on each other within a step, and how far pairs slide in each.
 //!
 //! Surfaces that stay or pass are seen in one position. Those that [swing](super::swing), that [repeat](super::recurring)
-//! themselves and slide past each other, or that follow a [table](super::stations) are seen in one after the other: in each the
-//! contact wears both surfaces implicitly, and the depths are laid down where the points of each surface are.
+//! themselves and slide past each other, that follow a [table](super::stations), or of which one [turns](super::turning) in the other
+//! are seen in one after the other: in each the contact wears both surfaces implicitly, and the depths are laid down where the points
+//! of each surface are.
 
 use super::error::Error;
+use super::turning::Turned;
 use crate::motion::{Control, Lever};
 use crate::numerics::vector::Values;
-use crate::problem::{ContactProblem, ContactState, Grid};
+use crate::problem::{ContactProblem, ContactState, Grid, Surface};
+use crate::wear::Rubbing;
 
 /// A position of the surfaces, and how far pairs slide there in a step.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +23,8 @@ pub(super) struct Position {
     pub slips: Vec<f64>,
     /// Where (elements from the offset) the surface of each body is meanwhile, and for which share of the distance.
     pub ways: [Vec<([isize; 2], f64)>; 2],
+    /// How each body is turned, whose places under the frame are then these and no offset.
+    pub turned: [Option<Turned>; 2],
     /// What is prescribed there; where there is nothing, what the step prescribes.
     pub control: Option<Control>,
     /// Along which direction body 2 slides over body 1, and how fast (m/s); as the motion says where there is nothing.
@@ -37,6 +42,7 @@ impl Position {
             mean: Some(distance),
             slips: vec![],
             ways: [ways(), ways()],
+            turned: [None, None],
             control: None,
             heading: None,
             headings: vec![],
@@ -51,6 +57,55 @@ impl Position {
         }
         let slip = |pair| slip * problem.motion.lever(problem.frame.place(pair));
         Self { mean: None, slips: (0..problem.frame.len()).map(slip).collect(), ..middle }
+    }
+
+    /// The depth (m) worn off a body under a pair, half-way.
+    pub fn depth_under(&self, (body, surface): (usize, &Surface), pair: usize) -> f64 {
+        match &self.turned[body] {
+            None => surface.depth[surface.grid.at(pair, self.offsets[body])],
+            Some(turned) => turned.under(surface.grid, pair, |element| surface.depth[element]),
+        }
+    }
+
+    /// How far (m) a body slid and how deep (m) it wore so far under a pair, half-way.
+    pub fn before(&self, (body, surface): (usize, &Surface), pair: usize) -> [f64; 2] {
+        match &self.turned[body] {
+            None => surface.before(surface.grid.at(pair, self.offsets[body])),
+            Some(turned) => [0, 1].map(|part| {
+                turned.under(surface.grid, pair, |element| surface.before(element)[part])
+            }),
+        }
+    }
+
+    /// The elements of a body that a pair slides over, the share of the way over each of them, and the direction (cosine and sine) of
+    /// the pair's first axis on the body, where that is turned.
+    pub fn swept(
+        &self,
+        (body, grid): (usize, Grid),
+        pair: usize,
+        mut each: impl FnMut(usize, f64, Option<[f64; 2]>),
+    ) {
+        if let Some(turned) = &self.turned[body] {
+            return turned
+                .swept(grid, pair, |element, share, axis| each(element, share, Some(axis)));
+        }
+        let [x, y] = self.offsets[body];
+        for ([along, across], share) in &self.ways[body] {
+            each(grid.at(pair, [x + along, y + across]), *share, None);
+        }
+    }
+
+    /// What a body goes through at elements that a pair slides over, of what the pair does in a step.
+    pub fn rubbed(
+        &self,
+        of: (usize, Grid),
+        (pair, rubbing): (usize, Rubbing),
+        mut each: impl FnMut(usize, Rubbing),
+    ) {
+        self.swept(of, pair, |element, share, axis| {
+            let part = rubbing.share(share);
+            each(element, axis.map_or(part, |axis| part.along(axis)));
+        });
     }
 
     /// Distance (m) that pairs slide.
@@ -126,10 +181,8 @@ pub(super) fn gap(
     let frame = &problem.frame;
     let bodies = positions.bodies();
     let at = |pair: usize| {
-        let [stays, moves] = bodies.map(|body| {
-            let surface = &state.surfaces[body];
-            surface.depth[surface.grid.at(pair, position.offsets[body])]
-        });
+        let [stays, moves] =
+            bodies.map(|body| position.depth_under((body, &state.surfaces[body]), pair));
         let gap = frame.gap()[pair] + positions.opening(pair, position) + stays + moves;
         gap.is_finite().then_some(gap)
     };

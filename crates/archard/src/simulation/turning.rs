@@ -1,13 +1,80 @@
-//! A ball that turns in its socket from station to station, whose wear belongs to the socket.
+//! A ball that turns in its socket from station to station.
 //!
 //! In each station the contact is pressed under its load, and each pair slides as far and along the direction that the turn to the
-//! next one moves the ball there. The pole of the socket, and with it the frame, stay.
+//! next one moves the ball there. The pole of the socket, and with it the frame, stay. What wears off the ball belongs to the place that
+//! lies there: the ball has Lambert's map of its own, about the place that is at the pole at angles of zero, on which areas stay.
 
 use super::error::Error;
 use super::position::{Position, Positions, Way};
-use crate::frame::Wrap;
+use crate::frame::{ContactFrame, Wrap};
 use crate::motion::{Control, Joint, Turn};
 use crate::problem::{ContactProblem, ContactState, Grid};
+
+/// Elements from one place to the next, at most, at which wear is laid down on the way of a turn: half of those that a place is shared by
+/// along each axis.
+const APART: f64 = 0.5;
+
+type Matrix = [[f64; 3]; 3];
+
+/// How a ball lies under its frame while it turns from a station to the next.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Turned {
+    wrap: Wrap,
+    /// The first pair (m), those along x, and the distance (m) between pairs.
+    first: [f64; 2],
+    columns: usize,
+    spacing: [f64; 2],
+    /// From the ball's own axes to those of the socket at even parts of the way, an odd number of them.
+    parts: Vec<Matrix>,
+}
+
+impl Turned {
+    fn new(frame: &ContactFrame, wrap: Wrap, turn: &Turn) -> Self {
+        let spacing = frame.spacing();
+        let far = turn.vector.map(|one| one * one).iter().sum::<f64>().sqrt() * wrap.radius;
+        let count = 1 + 2 * (0.5 * far / (APART * spacing[0].min(spacing[1]))).ceil() as usize;
+        let part = |one: usize| turn.after((one as f64 + 0.5) / count as f64);
+        Self {
+            wrap,
+            first: frame.place(0),
+            columns: frame.elements()[0],
+            spacing,
+            parts: (0..count).map(part).collect(),
+        }
+    }
+
+    /// Where (elements from the first pair) the ball lies under a pair, and the direction of the pair's first axis on the ball's own map.
+    fn place(&self, pair: usize, part: &Matrix) -> ([f64; 2], [f64; 2]) {
+        let place = [pair % self.columns, pair / self.columns];
+        let place = [0, 1].map(|axis| self.first[axis] + self.spacing[axis] * place[axis] as f64);
+        let back = |vector: [f64; 3]| {
+            [0, 1, 2].map(|axis| (0..3).map(|one| part[one][axis] * vector[one]).sum::<f64>())
+        };
+        let [t1, _, out] = self.wrap.outwards(place);
+        let own = self.wrap.place(back(out));
+        let [one, two, _] = self.wrap.outwards(own);
+        let first = back(t1);
+        let axis = [one, two].map(|unit| (0..3).map(|i| unit[i] * first[i]).sum());
+        ([0, 1].map(|axis| (own[axis] - self.first[axis]) / self.spacing[axis]), axis)
+    }
+
+    /// The mean of what elements have around the place under a pair, half-way.
+    pub fn under(&self, grid: Grid, pair: usize, of: impl Fn(usize) -> f64) -> f64 {
+        let (place, _) = self.place(pair, &self.parts[self.parts.len() / 2]);
+        grid.around(place).into_iter().map(|(element, share)| share * of(element)).sum()
+    }
+
+    /// The elements that a pair slides over, the share of the way over each, and the direction of the pair's first axis there.
+    pub fn swept(&self, grid: Grid, pair: usize, mut each: impl FnMut(usize, f64, [f64; 2])) {
+        let weight = 1.0 / self.parts.len() as f64;
+        for part in &self.parts {
+            let (place, axis) = self.place(pair, part);
+            for (element, share) in grid.around(place) {
+                each(element, weight * share, axis);
+            }
+        }
+    }
+}
 
 /// The turns of a problem.
 pub(super) struct Turning<'a> {
@@ -22,6 +89,12 @@ impl<'a> Turning<'a> {
         Some(Self { problem, joint, wrap: problem.frame.wrap()? })
     }
 
+    /// The ball, where it wears.
+    fn wears_ball(&self) -> Option<usize> {
+        let ball = 1 - self.wrap.hollow;
+        self.problem.bodies[ball].wear.as_ref().map(|_| ball)
+    }
+
     /// The position of a turn while a number of cycles go by.
     fn position(&self, turn: &Turn, cycles: f64) -> Position {
         let frame = &self.problem.frame;
@@ -33,8 +106,11 @@ impl<'a> Turning<'a> {
         });
         let headings: Vec<[f64; 2]> = slips.collect();
         let far = cycles * self.wrap.radius;
+        let wears = self.wears_ball();
+        let turned = |body| (wears == Some(body)).then(|| Turned::new(frame, self.wrap, turn));
         Position {
             mean: None,
+            turned: [0, 1].map(turned),
             slips: headings.iter().map(|[x, y]| far * x.hypot(*y)).collect(),
             headings,
             control: Some(Control::Load(turn.load)),
@@ -44,8 +120,28 @@ impl<'a> Turning<'a> {
 }
 
 impl Positions for Turning<'_> {
+    /// The ball's is as large as places that may touch come to lie on it.
     fn grids(&self) -> [Option<Grid>; 2] {
-        [None, None]
+        let frame = &self.problem.frame;
+        let ball = self.wears_ball().map(|ball| {
+            let touches = |&pair: &usize| self.wrap.closing(frame.place(pair)) > 0.0;
+            let mut reach = [[0.0_f64; 2]; 2];
+            for turn in self.joint.turns() {
+                let turned = Turned::new(frame, self.wrap, turn);
+                for pair in (0..frame.len()).filter(touches) {
+                    let (place, _) = turned.place(pair, &turn.from);
+                    for axis in 0..2 {
+                        let last = frame.elements()[axis] as f64 - 1.0;
+                        let [before, after] = &mut reach[axis];
+                        *before = before.max(-place[axis]);
+                        *after = after.max(place[axis] - last);
+                    }
+                }
+            }
+            let margins = reach.map(|ends| ends.map(|end| end.ceil() as usize));
+            (ball, Grid::roaming(frame.elements(), margins))
+        });
+        [0, 1].map(|body| ball.filter(|(ball, _)| *ball == body).map(|(_, grid)| grid))
     }
 
     fn way(&self, _: &ContactState, forward: bool, advance: f64) -> Result<Way, Error> {

@@ -44,13 +44,10 @@ pub(super) fn coefficients(
         for pair in (0..rigid.len()).filter(|&pair| state.pressure[pair] > 0.0) {
             let once = rubbing(pair).share(1.0 / increment.advance);
             for body in (0..2).filter(|&body| wearing[body]) {
-                let [x, y] = position.offsets[body];
-                for ([along, across], share) in &position.ways[body] {
-                    let place = state.surfaces[body].grid.at(pair, [x + along, y + across]);
-                    let part = once.share(*share);
+                position.rubbed((body, state.surfaces[body].grid), (pair, once), |place, part| {
                     let before: &mut Option<Rubbing> = &mut whole[body][place];
                     *before = Some(before.map_or(part, |before| before.then(part)));
-                }
+                });
             }
         }
     }

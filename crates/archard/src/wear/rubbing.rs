@@ -94,6 +94,24 @@ impl Rubbing {
         }
     }
 
+    /// The same along axes in which t1 lies along a direction (cosine and sine from their first).
+    #[must_use]
+    pub fn along(self, [c, s]: [f64; 2]) -> Self {
+        let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+        let [xx, yy, xy] = self.directions;
+        let both = 2.0 * c * s * xy;
+        Self {
+            slip_vector: turned(self.slip_vector),
+            traction: turned(self.traction),
+            directions: [
+                c * c * xx + s * s * yy - both,
+                s * s * xx + c * c * yy + both,
+                c * s * (xx - yy) + (c * c - s * s) * xy,
+            ],
+            ..self
+        }
+    }
+
     /// Friction over pressure; zero without pressure or slip.
     pub fn coefficient(&self) -> f64 {
         let rubbed = self.pressure * self.slip;

@@ -21,7 +21,8 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 
 /// Both bodies wear and nothing is said of how their surfaces meet.
 fn stays(parts: &Parts<'_>) -> Option<Problem> {
-    if parts.motion.lever_arm().is_none() || !parts.motion.stays() {
+    let motion = &parts.motion;
+    if motion.lever_arm().is_none() || !motion.stays() || motion.joint().is_some() {
         return None;
     }
     let said = parts.case.motion.values.get("surfaces").is_some();
@@ -30,7 +31,7 @@ fn stays(parts: &Parts<'_>) -> Option<Problem> {
     }
     let message = "both bodies wear where they stay opposite each other, so that a disc gets a pit and no track";
     let help = "of a disc, ring or flat that is longer give `track_radius`, `track` or `stroke`, and `passes = \"NAME\"`; say `surfaces = \"stay\"` where it is meant so";
-    Some(Problem::warning(motion(parts), message).at_name().help(help))
+    Some(Problem::warning(self::motion(parts), message).at_name().help(help))
 }
 
 /// A track that is shorter than the contact on it, or than the frame where nothing says how long the contact gets.

@@ -27,6 +27,7 @@ use rayon::prelude::*;
 
 use super::differences::differences;
 use super::images::Image;
+use super::shaft::Shaft;
 use crate::body::Material;
 
 /// The elastic constants of two half-spaces, as the formulas need them (1/Pa).
@@ -69,17 +70,24 @@ pub(super) struct Influence {
     depths: Option<[f64; 3]>,
     /// What layers add.
     pub(super) images: Arc<[Image]>,
+    /// The body of a line of contact that is round, which its half-space stands for.
+    shaft: Option<Shaft>,
 }
 
 impl Influence {
     pub(super) fn new(constants: Constants, elements: [usize; 2], spacing: [f64; 2]) -> Self {
         let half = spacing.map(|h| 0.5 * h);
-        Self { constants, elements, half, depths: None, images: Arc::new([]) }
+        Self { constants, elements, half, depths: None, images: Arc::new([]), shaft: None }
     }
 
     /// The same with images of the layers that these half-spaces are the uppermost of.
     pub(super) fn layered(self, images: Vec<Image>) -> Self {
         Self { images: images.into(), ..self }
+    }
+
+    /// The same with one of them round, on a line of contact.
+    pub(super) fn around(self, shaft: Option<Shaft>) -> Self {
+        Self { shaft, ..self }
     }
 
     /// Strips of that width along x (m), without end along y, on bodies of these depths (m). Their displacements far away are
@@ -106,7 +114,8 @@ impl Influence {
     /// Square elements that wide on the same half-spaces: of the size of what the elements do to one another where
     /// they are strips, whose displacements under themselves grow with the depth of the bodies.
     fn square(&self) -> Self {
-        Self { elements: [1, 1], half: [self.half[0]; 2], depths: None, ..self.clone() }
+        let half = [self.half[0]; 2];
+        Self { elements: [1, 1], half, depths: None, shaft: None, ..self.clone() }
     }
 
     /// Displacements under a unit traction on a strip (m/Pa): `factor` times minus [F], what the depth adds, and images by one
@@ -192,7 +201,15 @@ impl Influence {
     pub(super) fn nn(&self) -> Vec<f64> {
         let normal = self.constants.normal;
         if let Some([added, ..]) = self.depths {
-            return self.strips(2.0 * normal, added, 2);
+            let mut row = self.strips(2.0 * normal, added, 2);
+            if let Some(shaft) = self.shaft {
+                let plane = shaft.material.plane_strain_compliance() / PI;
+                let a = self.half[0];
+                let more = |x: f64| shaft.strip(x) + 2.0 * plane * (x * x.abs().ln() - x);
+                let round = self.own_row(|x| more(x + a) - more(x - a));
+                row.iter_mut().zip(round).for_each(|(own, more)| *own += more);
+            }
+            return row;
         }
         self.differences([-1.0, -1.0], |corner| {
             let images = self.images.iter().map(|image| image.scalars[2] * image.normal(corner));
@@ -217,10 +234,10 @@ impl Influence {
     }
 
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
-    /// elements away: as if all of it stood at its farthest corner, or edge. Layers may rise next to what presses them: there is
-    /// none.
+    /// elements away: as if all of it stood at its farthest corner, or edge. Layers and shafts may rise next to what presses them:
+    /// there is none.
     pub(super) fn least_nn(&self, away: [usize; 2]) -> f64 {
-        if !self.images.is_empty() {
+        if !self.images.is_empty() || self.shaft.is_some() {
             return f64::NEG_INFINITY;
         }
         let normal = self.constants.normal;

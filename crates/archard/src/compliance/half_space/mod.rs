@@ -10,6 +10,7 @@ mod part;
 mod periodic;
 mod rolling;
 mod round;
+mod shaft;
 mod shifting;
 mod sphere;
 mod stack;
@@ -29,6 +30,7 @@ use influence::Influence;
 use part::WholeOrPart;
 pub use periodic::Periodic;
 use rolling::Rolling;
+use shaft::Shaft;
 use shifting::Shifting;
 use stack::Stack;
 
@@ -94,8 +96,15 @@ impl HalfSpace {
     ) -> Self {
         let (elements, width) = (frame.elements(), frame.spacing()[0]);
         let constants = Constants::of(uppermost(materials, layers));
-        let influence = Influence::plane_strain(constants, materials, depths, elements, width);
-        Self::on(influence.layered(images::of_bodies(materials, layers, frame.wrap())), None)
+        let wrap = frame.wrap();
+        let inner = wrap.map(|wrap| 1 - wrap.hollow);
+        let shaft = wrap.zip(inner.and_then(|inner| materials[inner].copied()));
+        let shaft = shaft.map(|(wrap, material)| Shaft { radius: wrap.radius, material });
+        // A shaft has no depth: it ends.
+        let bases = [0, 1].map(|body| materials[body].filter(|_| inner != Some(body)));
+        let influence = Influence::plane_strain(constants, bases, depths, elements, width);
+        let images = images::of_bodies(materials, layers, wrap);
+        Self::on(influence.layered(images).around(shaft), None)
     }
 
     /// Why layers on a material are not computed, if they are not: their images miss the compliance.
