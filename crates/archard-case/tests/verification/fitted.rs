@@ -351,6 +351,41 @@ fn balls_in_thin_layers_wear_as_columns() {
     }
 }
 
+/// A load that is fixed in the ball wears ball and socket as one that is fixed in the socket wears socket and ball, if the ball turns the
+/// other way: by the angles of the transposed matrices.
+#[test]
+fn loads_in_the_ball_wear_the_other_body() {
+    let law = || -> Option<Arc<dyn WearLaw>> { Some(Arc::new(Archard::new(1e-15).unwrap())) };
+    let angles = [[25.0, 3.0, -10.0], [5.0, 7.0, -4.0], [-18.0, -4.0, 2.0], [9.0, 0.0, -8.0]];
+    let angles = angles.map(|one: [f64; 3]| one.map(f64::to_radians));
+    let loads = [3e3, 1e3, 2e3, 5e2];
+    let one = Joint::new(&angles, &loads).unwrap();
+    let back: Vec<[f64; 3]> = (one.turns().iter())
+        .map(|turn| {
+            let of = |row: usize, column: usize| turn.from[column][row];
+            [(-of(1, 2)).atan2(of(2, 2)), of(0, 2).asin(), (-of(0, 1)).atan2(of(0, 0))]
+        })
+        .collect();
+    let other = Joint::new(&back, &loads).unwrap();
+    let [[ball, socket], [other_ball, other_socket]] = [one.loaded_in_ball(), other].map(|joint| {
+        let mut bodies = bodies(Round::Sphere, [14.0, 0.1, 0.4], [100.0, 0.3]);
+        bodies.iter_mut().for_each(|body| body.wear = law());
+        let planned = joint.over(Cycles::new(100_000).jump(50_000)).unwrap();
+        let reach = 28e-3 * (0.5 * 68_f64.to_radians()).sin();
+        let simulation =
+            Simulation::builder(bodies, planned).frame([2.0 * reach; 2], [41; 2]).build().unwrap();
+        let mut worn = Worn::default();
+        simulation.run(&mut [&mut worn]).unwrap();
+        worn.0
+    });
+    println!("{ball:?} {socket:?} {other_ball:?} {other_socket:?}");
+    for part in [0, 1] {
+        assert_relative_eq!(ball[part], other_socket[part], max_relative = 1e-6);
+        assert_relative_eq!(socket[part], other_ball[part], max_relative = 1e-6);
+    }
+    assert!((ball[1] / socket[1] - 1.0).abs() > 0.03);
+}
+
 /// A bush as a user writes it, on a frame that follows and grows with the contact, from 9 to 70 degrees: its depth after the distance in
 /// which a rigid one wears by 0.1 mm. The elastic one leaves 2e-5 of it.
 #[test]

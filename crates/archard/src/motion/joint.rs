@@ -1,10 +1,11 @@
-//! A ball that turns in its socket through the angles of a joint, in cycles, under a load along an axis that is fixed in the socket.
+//! A ball that turns in its socket through the angles of a joint, in cycles, under a load along an axis that is fixed in the socket, or
+//! in the ball.
 //!
-//! The axes are those of the socket: z from the centre through the middle of the frame, where the load acts, x and y those of the
-//! frame. Joints have their angles in sequence, and the sequence matters: here the ball turns by the *flexion* about x, then by the
+//! The axes are those of the body the load is fixed in: z from the centre through the middle of the frame, where the load acts, x and y
+//! those of the frame. Joints have their angles in sequence, and the sequence matters: here the ball turns by the *flexion* about x, then by the
 //! *adduction* about its turned y, then by the *rotation* about its turned z. Between two stations it turns by one rotation vector w,
 //! exactly that of the relative turn, and a point n R of the socket sees the surface of the ball slide by R w x n, under the load in
-//! between.
+//! between. Where the load is fixed in the ball, the socket turns about it the other way.
 //!
 //! The curve "ISO 14242-1" is drawn *after* that standard, which has to be bought. Extremes (flexion 25 and -18, adduction 7 and -4,
 //! rotation 2 and -11 degrees, 3 kN twice and 0.3 kN, load fixed in the cup, 1 Hz) are those that test laboratories publish. Times of
@@ -36,11 +37,19 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
             "CSV with columns flexion_deg, adduction_deg, rotation_deg and load_N, instead: stations of equal times, the first after the last",
         ),
         STATIONS,
+        LOAD_IN,
         CYCLE_COUNT,
         JUMP,
         JUMP_TOLERANCE,
     ],
-    build: |values| read(values)?.over(Cycles::read(values)?),
+    build: |values| {
+        let joint = read(values)?;
+        let joint = match values.word(LOAD_IN.name) {
+            Some(BALL) => joint.loaded_in_ball(),
+            _ => joint,
+        };
+        joint.over(Cycles::read(values)?)
+    },
 };
 
 /// The columns that a file may have.
@@ -58,6 +67,14 @@ const STATIONS: Parameter = Parameter::optional(
 )
 .bound(Bound::UpTo(COUNT as f64 - 1.0, MOST_INCREMENTS));
 
+const LOAD_IN: Parameter = Parameter::optional(
+    "load_in",
+    Quantity::Word(&["socket", BALL]),
+    "the body that the axis of the load is fixed in; the socket if not given",
+);
+
+const BALL: &str = "ball";
+
 /// The fewest stations of a cycle, a choice: twice as many change volumes of the hip in `cases` by 6e-4 and depths by 4e-4, below its errors.
 /// A fifth of them are 2 % off, beyond any error bar.
 const COUNT: usize = 60;
@@ -74,10 +91,10 @@ const LOAD: Curve =
 /// A turn from a station to the next, and the load meanwhile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
-    /// Rotation vector (rad) of the ball over the socket, in the axes of the socket.
+    /// Rotation vector (rad) of the body that turns over the one that the load is fixed in, in the axes of the latter.
     pub vector: [f64; 3],
-    /// How the ball is turned at its start: rows of the matrix that takes its own axes, those of the socket at angles of zero, to the
-    /// socket's.
+    /// How it is turned at its start: rows of the matrix that takes its own axes, those of the other one at angles of zero, to the
+    /// other's.
     pub from: [[f64; 3]; 3],
     /// Load (N) along the pole.
     pub load: f64,
@@ -87,6 +104,7 @@ pub struct Turn {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
     turns: Vec<Turn>,
+    in_ball: bool,
 }
 
 impl Joint {
@@ -112,7 +130,7 @@ impl Joint {
             Ok(Turn { vector, from: here, load: loads[station] })
         };
         let turns: Vec<Turn> = (0..count).map(turn).collect::<Result<_, Invalid>>()?;
-        let joint = Self { turns };
+        let joint = Self { turns, in_ball: false };
         if joint.angle() > 0.0 {
             return Ok(joint);
         }
@@ -132,6 +150,29 @@ impl Joint {
             .collect();
         let loads: Vec<f64> = (0..stations).map(|one| at(LOAD, share(one, 0.5))).collect();
         Self::new(&angles, &loads)
+    }
+
+    /// The same under a load along an axis that is fixed in the ball.
+    #[must_use]
+    pub fn loaded_in_ball(self) -> Self {
+        let turned = |turn: Turn| {
+            let back = transposed(turn.from);
+            let along = |row: [f64; 3]| -(0..3).map(|i| row[i] * turn.vector[i]).sum::<f64>();
+            Turn { vector: back.map(along), from: back, ..turn }
+        };
+        let turns = self.turns.into_iter().map(turned).collect();
+        Self { turns, in_ball: !self.in_ball }
+    }
+
+    /// Which body (0 or 1) turns about the axis of the load, of a socket that is that body.
+    pub fn turning(&self, socket: usize) -> usize {
+        if self.in_ball { socket } else { 1 - socket }
+    }
+
+    /// The largest angle (rad) between the load and the pole of the socket in a cycle.
+    pub fn tilt(&self) -> f64 {
+        let tilts = self.turns.iter().map(|turn| turn.from[2][2].clamp(-1.0, 1.0).acos());
+        if self.in_ball { tilts.fold(0.0, f64::max) } else { 0.0 }
     }
 
     /// The motion that it makes, in cycles.
@@ -161,7 +202,7 @@ impl Joint {
         &self.turns
     }
 
-    /// By how much (rad) the ball turns in a cycle.
+    /// By how much (rad) the bodies turn over each other in a cycle.
     pub fn angle(&self) -> f64 {
         self.turns
             .iter()
@@ -171,7 +212,7 @@ impl Joint {
 }
 
 impl Turn {
-    /// Slip (1, over the radius) of the ball over the socket at a unit vector from the centre, in the axes of the socket.
+    /// Slip (1, over the radius) of the body that turns at a unit vector from the centre, in the axes of the other one.
     pub fn slip(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.vector;
         [b * z - c * y, c * x - a * z, a * y - b * x]
@@ -246,14 +287,17 @@ fn turned([flexion, adduction, rotation]: [f64; 3]) -> Matrix {
     product(product(x, y), z)
 }
 
+fn transposed(of: Matrix) -> Matrix {
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| of[j][i]))
+}
+
 fn product(one: Matrix, other: Matrix) -> Matrix {
     one.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * other[k][j]).sum()))
 }
 
 /// The rotation vector (rad) from one turn to another; `None` of a right angle and more, or of what is not finite.
 fn between(from: Matrix, to: Matrix) -> Option<[f64; 3]> {
-    let back = [0, 1, 2].map(|i| [0, 1, 2].map(|j| from[j][i]));
-    let d = product(to, back);
+    let d = product(to, transposed(from));
     let twice = [d[2][1] - d[1][2], d[0][2] - d[2][0], d[1][0] - d[0][1]];
     let sine = 0.5 * twice.iter().map(|one| one * one).sum::<f64>().sqrt();
     let cosine = 0.5 * (d[0][0] + d[1][1] + d[2][2] - 1.0);
@@ -322,17 +366,32 @@ mod tests {
         assert_relative_eq!(way, 28.0 * std::f64::consts::PI * tilt.sin(), max_relative = 1e-5);
     }
 
-    /// Each turn ends where the next one starts.
+    /// Each turn ends where the next one starts, whichever body the load is fixed in.
     #[test]
     fn turns_follow_each_other() {
         let joint = Joint::iso_14242_1(60).unwrap();
-        let turns = joint.turns();
-        for (one, next) in turns.iter().zip(turns.iter().cycle().skip(1)) {
-            let [from, to] = [one.after(0.0), one.after(1.0)].map(|rows| rows.concat());
-            let known = [one.from, next.from].map(|rows| rows.concat());
-            for (found, known) in from.iter().chain(&to).zip(known.iter().flatten()) {
-                assert_abs_diff_eq!(found, known, epsilon = 1e-14);
+        for joint in [joint.clone(), joint.loaded_in_ball()] {
+            let turns = joint.turns();
+            for (one, next) in turns.iter().zip(turns.iter().cycle().skip(1)) {
+                let [from, to] = [one.after(0.0), one.after(1.0)].map(|rows| rows.concat());
+                let known = [one.from, next.from].map(|rows| rows.concat());
+                for (found, known) in from.iter().chain(&to).zip(known.iter().flatten()) {
+                    assert_abs_diff_eq!(found, known, epsilon = 1e-14);
+                }
             }
+        }
+    }
+
+    /// A ball that only flexes, by 25 and by -18 degrees: its pole goes as far over the socket as the socket's over it.
+    #[test]
+    fn the_other_body_turns_back() {
+        let angles = [[25_f64, 0.0, 0.0], [-18.0, 0.0, 0.0]].map(|one| one.map(f64::to_radians));
+        let joint = Joint::new(&angles, &[1.0; 2]).unwrap().loaded_in_ball();
+        assert_relative_eq!(joint.tilt().to_degrees(), 25.0, max_relative = 1e-12);
+        for turn in joint.turns() {
+            let [x, y, z] = turn.slip([0.0, 0.0, 1.0]);
+            assert_abs_diff_eq!(y.abs().to_degrees(), 43.0, epsilon = 1e-12);
+            assert_abs_diff_eq!(x.hypot(z), 0.0, epsilon = 1e-15);
         }
     }
 

@@ -94,11 +94,12 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
     }
     let directed =
         |law: &dyn WearLaw| law.per() == Per::Increment && law.inputs().contains(&Input::Vectors);
-    if motion.joint().is_some() && inner.wear.as_deref().is_some_and(directed) {
-        let what = "depends on the direction of slip along axes of the frame, and the ball turns under them";
+    let turning = motion.joint().map(|joint| &bodies[joint.turning(wrap.hollow)]);
+    if let Some(body) = turning.filter(|body| body.wear.as_deref().is_some_and(directed)) {
+        let what = "depends on the direction of slip along axes of the frame, and the body turns under them";
         let help =
-            "take a law that does not, or `cross_shear`, which counts directions on the ball";
-        return Some(Refusal::new(Part::Wear(inner.name.clone()), what, help));
+            "take a law that does not, or `cross_shear`, which counts directions on the body";
+        return Some(Refusal::new(Part::Wear(body.name.clone()), what, help));
     }
     let joint = motion.joint().is_some() && wrap.round == Round::Sphere;
     let even = motion.lever_arm() == Some(Lever::Even);

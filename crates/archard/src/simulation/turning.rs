@@ -1,8 +1,8 @@
 //! A ball that turns in its socket from station to station.
 //!
 //! In each station the contact is pressed under its load, and each pair slides as far and along the direction that the turn to the
-//! next one moves the ball there. The pole of the socket, and with it the frame, stay. What wears off the ball belongs to the place that
-//! lies there: the ball has Lambert's map of its own, about the place that is at the pole at angles of zero, on which areas stay.
+//! next one moves the ball there. The body that the load is fixed in, and with it the frame, stay. What wears off the other one belongs to
+//! the place that lies there: it has Lambert's map of its own, about the place that is at the pole at angles of zero, on which areas stay.
 
 use super::error::Error;
 use super::position::{Position, Positions, Way};
@@ -16,7 +16,7 @@ const APART: f64 = 0.5;
 
 type Matrix = [[f64; 3]; 3];
 
-/// How a ball lies under its frame while it turns from a station to the next.
+/// How a body lies under its frame while it turns from a station to the next.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Turned {
     wrap: Wrap,
@@ -24,7 +24,7 @@ pub(super) struct Turned {
     first: [f64; 2],
     columns: usize,
     spacing: [f64; 2],
-    /// From the ball's own axes to those of the socket at even parts of the way, an odd number of them.
+    /// From its own axes to those of the other body at even parts of the way, an odd number of them.
     parts: Vec<Matrix>,
 }
 
@@ -43,7 +43,7 @@ impl Turned {
         }
     }
 
-    /// Where (elements from the first pair) the ball lies under a pair, and the direction of the pair's first axis on the ball's own map.
+    /// Where (elements from the first pair) the body lies under a pair, and the direction of the pair's first axis on its own map.
     fn place(&self, pair: usize, part: &Matrix) -> ([f64; 2], [f64; 2]) {
         let place = [pair % self.columns, pair / self.columns];
         let place = [0, 1].map(|axis| self.first[axis] + self.spacing[axis] * place[axis] as f64);
@@ -89,10 +89,10 @@ impl<'a> Turning<'a> {
         Some(Self { problem, joint, wrap: problem.frame.wrap()? })
     }
 
-    /// The ball, where it wears.
-    fn wears_ball(&self) -> Option<usize> {
-        let ball = 1 - self.wrap.hollow;
-        self.problem.bodies[ball].wear.as_ref().map(|_| ball)
+    /// The body that turns, where it wears.
+    fn wears_turned(&self) -> Option<usize> {
+        let body = self.joint.turning(self.wrap.hollow);
+        self.problem.bodies[body].wear.as_ref().map(|_| body)
     }
 
     /// The position of a turn while a number of cycles go by.
@@ -106,7 +106,7 @@ impl<'a> Turning<'a> {
         });
         let headings: Vec<[f64; 2]> = slips.collect();
         let far = cycles * self.wrap.radius;
-        let wears = self.wears_ball();
+        let wears = self.wears_turned();
         let turned = |body| (wears == Some(body)).then(|| Turned::new(frame, self.wrap, turn));
         Position {
             mean: None,
@@ -120,10 +120,10 @@ impl<'a> Turning<'a> {
 }
 
 impl Positions for Turning<'_> {
-    /// The ball's is as large as places that may touch come to lie on it.
+    /// That of the body that turns is as large as places that may touch come to lie on it.
     fn grids(&self) -> [Option<Grid>; 2] {
         let frame = &self.problem.frame;
-        let ball = self.wears_ball().map(|ball| {
+        let turned = self.wears_turned().map(|body| {
             let touches = |&pair: &usize| self.wrap.closing(frame.place(pair)) > 0.0;
             let mut reach = [[0.0_f64; 2]; 2];
             for turn in self.joint.turns() {
@@ -139,9 +139,9 @@ impl Positions for Turning<'_> {
                 }
             }
             let margins = reach.map(|ends| ends.map(|end| end.ceil() as usize));
-            (ball, Grid::roaming(frame.elements(), margins))
+            (body, Grid::roaming(frame.elements(), margins))
         });
-        [0, 1].map(|body| ball.filter(|(ball, _)| *ball == body).map(|(_, grid)| grid))
+        [0, 1].map(|body| turned.filter(|(own, _)| *own == body).map(|(_, grid)| grid))
     }
 
     fn way(&self, _: &ContactState, forward: bool, advance: f64) -> Result<Way, Error> {
