@@ -24,4 +24,4 @@ else:
         return getattr(import_module("archard._api"), name)
 
     def __dir__():
-        return sorted({*globals(), *__getattr__("__all__")})
+        return sorted({*globals(), *__getattr__("__all__"), "open"})

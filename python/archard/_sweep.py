@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import csv
 import itertools
+import json
 import os
 import pickle
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from archard import _archard, _html, _law, _study, _toml
+from archard import _archard, _html, _law, _picture, _sampled, _study, _toml
 from archard._errors import RunError
 from archard._law import FrictionFunction, Law, WearFunction
 from archard._log import log
@@ -74,12 +75,72 @@ class Row(NamedTuple):
 class Sweep:
     """What a study came to."""
 
-    def __init__(self, rows: list[Row], values: list[list[_Value]]) -> None:
+    def __init__(
+        self, rows: list[Row], values: list[list[_Value]], folder: Path | None = None, table: Table | None = None
+    ) -> None:
         self.rows = rows
         """The rows, in the order of the design."""
         self._values = values
-        self.table = _table(rows, [{one.name: one.number for one in row} for row in values])
+        self.folder = folder
+        """The folder of the study; ``None`` of one in memory."""
+        known = [{one.name: one.number for one in row} for row in values]
+        self.table = _table(rows, known) if table is None else table
         """A row a run: keys (SI), ``status``, ``verdict``, ``reason``, last row of the history, ``error``."""
+
+    @classmethod
+    def open(cls, folder: str | os.PathLike[str]) -> Sweep:
+        """Return the study in a folder that the command, or :func:`sweep` over values by key, wrote.
+
+        Raises:
+            FileNotFoundError: no such study, or one without rows.
+
+        """
+        return _sampled.read(Path(folder))
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.rows)
+
+    @property
+    def pictures(self) -> list[str]:
+        """Names of the pictures of ``archard plot`` of the study."""
+        return [one["name"] for one in self._pictures()["pictures"]]
+
+    def plot(self, picture: str | None = None, *, size: _picture.Size | None = None) -> Any:
+        """Draw a picture of ``archard plot`` of the study; return the matplotlib figure.
+
+        Args:
+            picture: one of :attr:`pictures`; the last if not given.
+            size: as of :meth:`Result.plot`.
+
+        Raises:
+            ValueError: a study in memory or of a design of one's own, one without results, or no such picture.
+
+        """
+        told = self._pictures()
+        return _picture.draw(_picture.chosen(told, picture), told["mark"], size)
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> Path:
+        """Write the page of ``archard report`` of the study; return its file.
+
+        Args:
+            path: the page; ``report.html`` in the folder of the study if not given.
+
+        Raises:
+            ValueError: as of :meth:`plot`, or a file there that is no such page.
+
+        """
+        folder = self._drawn()
+        page = folder / "report.html" if path is None else Path(path)
+        return Path(_archard.page(folder, [], page, ([], None, False, folder)))
+
+    def _pictures(self) -> dict[str, Any]:
+        return dict(json.loads(_archard.pictures(self._drawn())))
+
+    def _drawn(self) -> Path:
+        if self.folder is None or not (self.folder / "study.json").is_file():
+            raise ValueError("pictures are of a study with a folder, over values by key: give `out`")
+        return self.folder
 
     def to_pandas(self) -> Any:
         """Return the table as a data frame."""
@@ -152,8 +213,14 @@ def _shown(name: str, number: float) -> str:
 
 def sweep(
     case: Case | str | os.PathLike[str] | Mapping[str, Any],
-    over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]],
+    over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]] | None = None,
     *,
+    sample: Mapping[str, str] | None = None,
+    samples: int | None = None,
+    seed: int | None = None,
+    design: Literal["latin", "sobol", "saltelli"] | None = None,
+    accuracy: float | None = None,
+    progress: bool = False,
     executor: Executor | None = None,
     out: str | os.PathLike[str] | None = None,
     laws: Mapping[str, WearFunction | Law] | None = None,
@@ -168,6 +235,13 @@ def sweep(
     Args:
         case: the case, or what makes one.
         over: values by key, each with each of the others; or a dict a row, for designs of one's own.
+        sample: distributions by key, as ``"lognormal(1e-13 1/Pa, 0.5)"``; all samples at each of the values of
+            ``over``. The command draws them and runs the rows, in ``out``, on all processors.
+        samples: number of samples.
+        seed: which set of them; the command's own if not given.
+        design: how they are drawn; ``"latin"`` if not given.
+        accuracy: the relative error of all rows, in place of that of the case.
+        progress: show a bar of rows, by tqdm where it is installed, otherwise by log messages.
         executor: any :class:`concurrent.futures.Executor`: Dask's ``client.get_executor()``,
             ``mpi4py.futures.MPIPoolExecutor``; a pool of processes if not given.
         out: folder for ``rows/0001`` and on, a result folder each, and ``sweep.csv``; results are in memory if
@@ -182,7 +256,20 @@ def sweep(
         ValueError: nothing to go over, a folder with another case, or a law that other processes cannot import.
 
     """
-    base, settings, functions = Case(case), _rows(over), _Laws(laws, friction)
+    base, functions = Case(case), _Laws(laws, friction)
+    if accuracy is not None:
+        base["accuracy"] = accuracy
+    if sample is not None:
+        if executor is not None or laws or friction is not None:
+            raise ValueError("the command draws samples and runs them: it takes no executor and no functions")
+        if out is None or samples is None:
+            raise ValueError("samples need their number, `samples`, and a folder, `out`")
+        if not (over is None or isinstance(over, Mapping)):
+            raise ValueError("samples are drawn at values by key, not at rows")
+        return _sampled.run(base, over or {}, sample, (samples, seed, design), (Path(out), progress))
+    if samples is not None or seed is not None or design is not None:
+        raise ValueError("`samples`, `seed` and `design` are of distributions: give `sample`")
+    settings = _rows(over or {})
     if executor is None:
         functions.travel()
     for key in {key for row in settings for key in row}:
@@ -203,13 +290,36 @@ def sweep(
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
-            rows = _run_all(pool, settings, cases, folders, functions)
+            rows = _run_all(pool, settings, cases, folders, functions, progress)
     else:
-        rows = _run_all(executor, settings, cases, folders, functions)
-    study = Sweep(rows, values)
+        rows = _run_all(executor, settings, cases, folders, functions, progress)
+    study = Sweep(rows, values, None if out is None else Path(out))
     if out is not None:
         _write(Path(out) / "sweep.csv", study.table)
+        if isinstance(over, Mapping):
+            _put_design(Path(out), values)
     return study
+
+
+def _put_design(folder: Path, values: list[list[_Value]]) -> None:
+    """Write the design as the command does, whose pictures are drawn by it."""
+    names = [one.name for one in values[0]]
+    columns = {name: np.array([row[place].number for row in values]) for place, name in enumerate(names)}
+    _write(folder / "design.csv", Table(columns))
+    part = folder / f"study.json.{os.getpid()}.part"
+    part.write_text(json.dumps({"over": names, "sample": [], "design": "grid"}, indent=2) + "\n", "utf-8")
+    part.replace(folder / "study.json")
+
+
+def shown_rows(rows: Sequence[Any], progress: bool) -> Iterable[Any]:
+    """Return rows below a bar, where one is wanted and there is tqdm."""
+    if progress:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            return rows
+        return tqdm(rows, unit="row")  # type: ignore[no-any-return]
+    return rows
 
 
 def _rows(over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
@@ -231,12 +341,13 @@ def _run_all(
     cases: list[Case],
     folders: list[Path | None],
     laws: _Laws,
+    progress: bool,
 ) -> list[Row]:
     pairs = zip(cases, folders, strict=True)
     futures = [executor.submit(_run, case, folder, laws) for case, folder in pairs]
     try:
         outcomes = []
-        for number, future in enumerate(futures, 1):
+        for number, future in enumerate(shown_rows(futures, progress), 1):
             outcomes.append(future.result())
             log.info("row %d of %d: %s", number, len(futures), outcomes[-1][1] or "done")
     except BaseException:

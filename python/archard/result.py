@@ -350,6 +350,8 @@ def open(folder: str | os.PathLike[str]) -> Result:
     folder = Path(folder)
     if not folder.is_dir():
         raise FileNotFoundError(f"no folder: `{folder}`")
+    if (folder / "study.json").is_file():
+        raise ValueError(f"`{folder}` is the folder of a study: Sweep.open returns it")
     if not ((folder / "summary.json").is_file() or (folder / "history.csv").is_file()):
         raise FileNotFoundError(f"`{folder}` holds no results of a run")
     _archard.verify(folder)

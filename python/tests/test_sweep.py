@@ -228,3 +228,60 @@ def test_futures_may_be_anything_that_has_a_result(case):
 
     study = archard.sweep(case, FRICTIONLESS, executor=Now())
     assert_like_single_runs(study, case)
+
+
+def test_studies_of_the_command_are_opened(tmp_path):
+    """Rows, keys with their units and columns are those of the study that Python runs itself."""
+    over = {"motion.indentation.load": ["5 N", "10 N"], "body.ball.profile.sphere.radius": ["40 mm", "50 mm"]}
+    own = archard.sweep("hertz", over, out=tmp_path / "own", accuracy=0.05)
+    words = [f"--over={key}=" + ",".join(values) for key, values in over.items()]
+    command = [sys.executable, "-m", "archard", "sweep", "hertz", *words, "--accuracy=0.05", "--quiet"]
+    subprocess.run([*command, "-o", tmp_path / "command"], check=True)
+    study = archard.Sweep.open(tmp_path / "command")
+    assert len(study) == len(own) == 4
+    assert [row.settings for row in study.rows] == [
+        row.settings for row in archard.Sweep.open(tmp_path / "own").rows
+    ]
+    for name in ("motion.indentation.load_N", "body.ball.profile.sphere.radius_m", "peak_pressure_Pa", "status"):
+        np.testing.assert_array_equal(study.table[name], own.table[name])
+    # Hertz: the peak pressure goes with the cube root of the load over the square of the radius.
+    peaks = study.table["peak_pressure_Pa"]
+    assert peaks[2] / peaks[0] == pytest.approx(2 ** (1 / 3), rel=2e-3)
+    assert peaks[1] / peaks[0] == pytest.approx((40 / 50) ** (2 / 3), rel=2e-3)
+    assert study.rows[1].result.verdict.word == study.table["verdict"][1] == "good"
+    assert study.to_xarray(fields=["pressure"]).sizes["load"] == 2
+    assert own.pictures == study.pictures
+    assert own.plot("map").axes
+    assert study.report(tmp_path / "page.html").read_text("utf-8").startswith("<!DOCTYPE html>")
+    with pytest.raises(ValueError, match=r"Sweep\.open"):
+        archard.open(tmp_path / "own")
+    with pytest.raises(FileNotFoundError, match="no study"):
+        archard.Sweep.open(tmp_path)
+
+
+def test_samples_are_drawn_by_the_command(tmp_path):
+    sample = {"body.ball.profile.sphere.radius": "uniform(40 mm, 50 mm)"}
+    case = archard.Case("hertz")
+    case["motion.indentation.load"] = "7 N"
+    study = archard.sweep(case, sample=sample, samples=5, seed=3, accuracy=0.05, out=tmp_path / "study")
+    radii = study.table["body.ball.profile.sphere.radius_m"]
+    # One in each fifth of the distribution, as a Latin hypercube has it.
+    assert sorted(((radii - 0.04) / 0.002).astype(int)) == [0, 1, 2, 3, 4]
+    np.testing.assert_allclose(study.table["load_N"], 7.0, rtol=1e-9)
+    peaks = study.table["peak_pressure_Pa"] * radii ** (2 / 3)
+    np.testing.assert_allclose(peaks, peaks[0], rtol=2e-3)
+    assert "bands" in study.pictures
+    for wrong, match in (({"samples": 5}, "give `sample`"), ({"sample": sample}, "need their number")):
+        with pytest.raises(ValueError, match=match):
+            archard.sweep("hertz", **wrong)
+    sample = {"body.ball.profile.sphere.radius": "normol(50 mm, 1 mm)"}
+    with pytest.raises(ValueError, match="write a distribution"):
+        archard.sweep(case, sample=sample, samples=5, out=tmp_path / "other")
+    assert not list(Path.cwd().glob(".archard-*"))
+
+
+def test_pictures_need_a_design_by_keys(case, tmp_path):
+    rows = [{"motion.sliding.load": "8 N"}, {"motion.sliding.load": "9 N"}]
+    study = archard.sweep(case, rows, out=tmp_path, executor=ThreadPoolExecutor(1), progress=True)
+    with pytest.raises(ValueError, match="values by key"):
+        study.plot()
