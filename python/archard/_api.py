@@ -16,6 +16,7 @@ from archard._errors import (
     WrongResult,
 )
 from archard._fit import Coefficient, Exponent, Fit, fit
+from archard._known import Key, KnownLaw, Material, laws, materials
 from archard._law import Law
 from archard._snapshot import Snapshot
 from archard._surface import Surface, surface
@@ -41,7 +42,10 @@ __all__ = [
     "Exponent",
     "Fit",
     "Forecast",
+    "Key",
+    "KnownLaw",
     "Law",
+    "Material",
     "NotConverged",
     "Problem",
     "Profile",
@@ -66,6 +70,8 @@ __all__ = [
     "difference",
     "fit",
     "gears",
+    "laws",
+    "materials",
     "rail",
     "read_log",
     "surface",

@@ -14,6 +14,7 @@ mod fit;
 mod folders;
 mod friction;
 mod gears;
+mod known;
 mod law;
 mod log;
 mod rail;
@@ -53,6 +54,8 @@ mod _archard {
     };
     #[pymodule_export]
     use super::gears::{wear_cam, wear_gears};
+    #[pymodule_export]
+    use super::known::{laws, materials};
     #[pymodule_export]
     use super::log::read_log;
     #[pymodule_export]
