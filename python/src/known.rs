@@ -8,7 +8,9 @@ use pyo3::prelude::*;
 
 /// Name, state and source of a material, and its values in SI: Young's modulus, Poisson's ratio and density; hardness, conductivity and heat
 /// where they are known.
-type Material = (&'static str, &'static str, &'static str, [f64; 3], [Option<f64>; 3]);
+type Material = (&'static str, &'static str, &'static str, (f64, f64, f64), Perhaps);
+
+type Perhaps = (Option<f64>, Option<f64>, Option<f64>);
 
 /// A key that a law takes: name, unit, meaning, and whether it must be given.
 type Key = (&'static str, &'static str, &'static str, bool);
@@ -20,8 +22,8 @@ type Law = (String, &'static str, Vec<Key>, &'static str, &'static str);
 #[pyfunction]
 pub fn materials() -> Vec<Material> {
     let of = |one: &archard_case::materials::Named| {
-        let known = [one.young, one.poisson, one.density];
-        (one.name, one.state, one.source, known, [one.hardness, one.conductivity, one.heat])
+        let known = (one.young, one.poisson, one.density);
+        (one.name, one.state, one.source, known, (one.hardness, one.conductivity, one.heat))
     };
     MATERIALS.iter().map(of).collect()
 }
