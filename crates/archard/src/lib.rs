@@ -61,7 +61,8 @@
 //! [`Builder::settle`](simulation::Builder::settle) takes a relative error in place of elements and steps that are known to be
 //! enough: see [`accuracy`].
 //!
-//! Results go to the [observers](simulation::Observer) handed to `run`.
+//! Results go to the [observers](simulation::Observer) handed to `run`: a [`Report`](simulation::Report) has loads, pressures, forces and
+//! wear.
 //!
 //! Case files, files of results and what can be believed of them are in the crate `archard-case`, fits in `archard-lab`.
 //!

@@ -4,11 +4,10 @@
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
 use super::companion::Companions;
-use super::report::Report;
+use super::report::{Report, maximum};
 use super::scar::{scar, track_width};
 use super::worn::{exposed_area, layer_volume, mass_loss, wear_rate, worn_section, worn_volume};
 use crate::body::Body;
-use crate::frame::VectorField;
 use crate::motion::{Drives, Progress, Shift};
 use crate::problem::{ContactState, Tangential};
 
@@ -175,7 +174,7 @@ pub const COLUMNS: &[Column] = &[
         Some(r.state.approach)
     }),
     column(PEAK_PRESSURE, "Pa", Class::Peak, "pressure of the highest element", |r, _| {
-        Some(maximum(&r.state.pressure))
+        Some(r.peak_pressure())
     }),
     column(
         CENTRE_PRESSURE,
@@ -263,7 +262,7 @@ pub const COLUMNS: &[Column] = &[
         mass_loss,
     ),
     column(BODY_DEPTH, "m", Class::Depth, "deepest wear of each body", |r, i| {
-        Some(maximum(&r.state.surfaces[i].depth))
+        Some(r.wear_depth(i))
     }),
     column(WEAR_DEPTH, "m", Class::Depth, "deepest total wear", |r, _| Some(deepest(r.state))),
     column(WEAR_RATE, "m3_per_Nm", Class::Volume, "its volume over load and distance", wear_rate),
@@ -314,10 +313,10 @@ pub const COLUMNS: &[Column] = &[
         shifted(r).and(friction(r, |own| own.shift[1]))
     }),
     column(FORCE[0], "N", Class::Force, "force on body 1 along x", |r, _| {
-        friction(r, |own| force(r, own)[0])
+        friction(r, |_| r.force().unwrap_or_default()[0])
     }),
     column(FORCE[1], "N", Class::Force, "the same along y", |r, _| {
-        friction(r, |own| force(r, own)[1])
+        friction(r, |_| r.force().unwrap_or_default()[1])
     }),
     column(
         MOMENT,
@@ -524,25 +523,9 @@ fn cycle(report: &Report<'_>, _: usize) -> Option<f64> {
     shifted(report).filter(|_| !counted).map(|shift| report.state.progress / shift.period())
 }
 
-/// Force on body 1 along x and y (N); on curved frames the pressures have a part in it.
-fn force(Report { problem, state, .. }: &Report<'_>, own: &Tangential) -> [f64; 2] {
-    if problem.frame.is_plane() {
-        return own.force(&problem.frame);
-    }
-    let [t1, t2] = own.traction.clone();
-    let n = state.pressure.iter().map(|pressure| -pressure).collect();
-    let [x, y, _] = problem.frame.force(&VectorField { t1, t2, n });
-    [x, y]
-}
-
 /// Deepest total wear (m).
 fn deepest(state: &ContactState) -> f64 {
     maximum(&state.total_worn())
-}
-
-/// Largest value, zero at least.
-fn maximum(field: &[f64]) -> f64 {
-    field.iter().copied().fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -5,6 +5,8 @@ use std::fmt;
 
 use super::companion::Companions;
 use super::effort::Effort;
+use super::worn::worn_volume;
+use crate::frame::VectorField;
 use crate::motion::{Control, Stepping};
 use crate::problem::{ContactProblem, ContactState};
 
@@ -34,10 +36,54 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
+    /// Normal force (N).
+    pub fn load(&self) -> f64 {
+        self.state.load
+    }
+
+    /// Largest pressure (Pa) of a pair.
+    pub fn peak_pressure(&self) -> f64 {
+        maximum(&self.state.pressure)
+    }
+
+    /// Area (m^2) of the pairs under pressure.
+    pub fn area(&self) -> f64 {
+        self.state.contact_area(self.problem)
+    }
+
+    /// Force on body 1 along x and y (N), of friction and, on curved frames, of the pressures; `None` of a motion whose friction is not
+    /// sought.
+    pub fn force(&self) -> Option<[f64; 2]> {
+        let Self { problem, state, .. } = self;
+        let own = state.tangential.as_ref()?;
+        if problem.frame.is_plane() {
+            return Some(own.force(&problem.frame));
+        }
+        let [t1, t2] = own.traction.clone();
+        let n = state.pressure.iter().map(|pressure| -pressure).collect();
+        let [x, y, _] = problem.frame.force(&VectorField { t1, t2, n });
+        Some([x, y])
+    }
+
+    /// Deepest wear (m) of a body, by its index 0 or 1.
+    pub fn wear_depth(&self, body: usize) -> f64 {
+        maximum(&self.state.surfaces[body].depth)
+    }
+
+    /// Volume (m^3) worn off a body, by its index 0 or 1, off the whole track of one that passes; `None` in rolling.
+    pub fn worn_volume(&self, body: usize) -> Option<f64> {
+        worn_volume(self, body)
+    }
+
     /// All that the further steps of the run follow from, for [`Run::resume`](super::Run::resume).
     pub fn checkpoint(&self) -> Option<Vec<u8>> {
         self.march.map(Kept::to_bytes)
     }
+}
+
+/// Largest value, zero at least.
+pub(super) fn maximum(field: &[f64]) -> f64 {
+    field.iter().copied().fold(0.0, f64::max)
 }
 
 /// A run that can be kept.
