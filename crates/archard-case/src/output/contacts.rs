@@ -289,15 +289,18 @@ pub fn farthest(contacts: &[RailContact]) -> Option<(&RailContact, f64)> {
     off.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// The largest stated error of all patches, relative: of pressures and areas to themselves, of forces to the force on their
-/// contact, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
+/// The largest stated error of all patches, relative: of pressures to the largest on their wheel, of areas to all of its contact, of forces to
+/// its load, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
 fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
     let relative = |(contact, patch): (&RailContact, &Patch)| {
         let (values, errors) = (&patch.values, &patch.errors);
         let width = values.contact_area.sqrt();
+        let of_wheel = contact.patches.iter().map(|patch| patch.values);
+        let peak = of_wheel.clone().map(|of| of.peak_pressure).fold(0.0, f64::max);
+        let area: f64 = of_wheel.map(|of| of.contact_area).sum();
         [
-            ("peak_pressure_Pa", errors.peak_pressure / values.peak_pressure),
-            ("contact_area_m2", errors.contact_area / values.contact_area),
+            ("peak_pressure_Pa", errors.peak_pressure / peak),
+            ("contact_area_m2", errors.contact_area / area),
             ("normal_force_N", errors.normal_force / contact.load),
             ("force_x_N", errors.force_x / contact.load),
             ("force_s_N", errors.force_s / contact.load),

@@ -41,6 +41,33 @@ pub(crate) struct Pressed {
     pub map: PatchMap,
 }
 
+impl Pressed {
+    /// A patch that bears nothing.
+    fn light(patch: Patch, creepage: Creepage) -> Self {
+        Self {
+            patch,
+            creepage,
+            approach: 0.0,
+            normal: 0.0,
+            tangential: [0.0; 2],
+            moment: 0.0,
+            peak: 0.0,
+            area: 0.0,
+            power: 0.0,
+            angle_spread: 0.0,
+            contact: None,
+            map: PatchMap::default(),
+        }
+    }
+
+    /// A patch that the wheel at that height (m) misses: it bears nothing, at the place that touches first.
+    pub fn missed(search: &Search<'_>, patch: &Patch, height: f64, operation: &Operation) -> Self {
+        let patch = search.first_of(patch, height);
+        let creepage = Creepage::new(search, &patch, &operation.velocity, 0.0);
+        Self::light(patch, creepage.prescribed(operation.creepages[0]))
+    }
+}
+
 /// What is known of the elements of a patch, one value each, those along x first: x from the lowest, then s from the lowest.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PatchMap {
@@ -122,7 +149,7 @@ impl Site {
         let creepage = Creepage::new(search, &self.patch, &operation.velocity, approach)
             .prescribed(operation.creepages[0]);
         if approach <= apart {
-            return Ok(self.light(creepage));
+            return Ok(Pressed::light(self.patch, creepage));
         }
         let rolling = Rolling::along(Direction::X)
             .longitudinal(Drive::Slip(creepage.longitudinal))
@@ -214,24 +241,6 @@ impl Site {
             }
         }
         Ok((most - least).max(0.0))
-    }
-
-    /// The patch where it bears nothing.
-    fn light(self, creepage: Creepage) -> Pressed {
-        Pressed {
-            patch: self.patch,
-            creepage,
-            approach: 0.0,
-            normal: 0.0,
-            tangential: [0.0; 2],
-            moment: 0.0,
-            peak: 0.0,
-            area: 0.0,
-            power: 0.0,
-            angle_spread: 0.0,
-            contact: None,
-            map: PatchMap::default(),
-        }
     }
 
     fn contact(

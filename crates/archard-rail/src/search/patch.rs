@@ -169,6 +169,22 @@ impl Search<'_> {
         patch
     }
 
+    /// The patch as the wheel at that height (m) begins to touch it: a point, where its overlap was largest.
+    pub(crate) fn first_of(&self, patch: &Patch, height: f64) -> Patch {
+        let Some(at) = self.possible(patch.deepest) else { return patch.clone() };
+        let [along_y, along_z] = self.setup.rail().place(at.on_rail).tangent;
+        Patch {
+            reference: at.point + DVec3::Z * at.gap,
+            angle: along_z.atan2(along_y),
+            along: [0.0; 2],
+            across: [0.0; 2],
+            widest: 0.0,
+            depth: 0.0,
+            height,
+            ..patch.clone()
+        }
+    }
+
     /// The stretches of the locus whose gap is below the height.
     fn stretches(&self, height: f64) -> Vec<Stretch> {
         let mut found = vec![];
@@ -222,9 +238,11 @@ impl Search<'_> {
             depth: 0.0,
             deepest: ends[0],
         };
+        let mut after = place(0.0);
         for at in 0..POINTS {
-            let [before, middle, after] =
-                [0.0, 0.5, 1.0].map(|part| place((at as f64 + part) / POINTS as f64));
+            let before = after;
+            let middle = place((at as f64 + 0.5) / POINTS as f64);
+            after = place((at as f64 + 1.0) / POINTS as f64);
             if let [Some(before), Some(middle), Some(after)] = [before, middle, after] {
                 self.take(&mut stretch, &middle, (before.point.y - after.point.y).abs(), height);
             }
