@@ -64,6 +64,7 @@ pub mod profile;
 mod roots;
 pub mod search;
 pub mod setup;
+mod sorted;
 pub mod standard;
 pub mod wear;
 

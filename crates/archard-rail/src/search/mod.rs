@@ -19,6 +19,7 @@ use glam::{DMat3, DVec3};
 use crate::curve::{Curve, Place};
 use crate::roots;
 use crate::setup::{Attitude, Setup};
+use crate::sorted::Sorted;
 use archard::parameters::Invalid;
 
 /// Distance (m) between the places at which the gap is first looked at; patches narrower than that may be missed.
@@ -56,6 +57,10 @@ pub struct Search<'a> {
     setup: &'a Setup,
     attitude: Attitude,
     rotation: DMat3,
+    /// Sine and cosine of the yaw.
+    yaw: [f64; 2],
+    /// The middle of the axle (m) with the wheel at height 0.
+    centre: DVec3,
     top: Top,
     locus: Vec<Possible>,
 }
@@ -81,8 +86,16 @@ impl<'a> Search<'a> {
     fn by(setup: &'a Setup, attitude: Attitude, step: f64) -> Result<Self, Invalid> {
         let attitude = attitude.checked()?;
         let top = Top::new(setup.rail());
-        let mut search =
-            Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
+        let (sin, cos) = attitude.yaw.sin_cos();
+        let mut search = Self {
+            setup,
+            attitude,
+            rotation: attitude.rotation(),
+            yaw: [sin, cos],
+            centre: setup.centre(&attitude, 0.0),
+            top,
+            locus: vec![],
+        };
         let places = setup.wheel().samples_apart(step);
         search.locus = places.into_iter().filter_map(|along| search.possible(along)).collect();
         Ok(search)
@@ -161,7 +174,8 @@ impl<'a> Search<'a> {
     fn facing(&self, place: &Place) -> Option<DVec3> {
         let [along_y, along_z] = place.tangent;
         // The wheel faces down where its profile runs towards -y.
-        let sin = -self.attitude.yaw.tan() * along_z / along_y;
+        let [sin, cos] = self.yaw;
+        let sin = -sin / cos * along_z / along_y;
         (along_y < 0.0 && sin.abs() < 1.0).then(|| self.on_circle(place.point, sin))
     }
 
@@ -171,14 +185,14 @@ impl<'a> Search<'a> {
         let wheelset = self.setup.wheelset();
         let radius = wheelset.nominal_radius + z;
         let own = DVec3::new(radius * sin, wheelset.arm() + y, radius * (1.0 - sin * sin).sqrt());
-        self.rotation * own + self.setup.centre(&self.attitude, 0.0)
+        self.rotation * own + self.centre
     }
 
     /// The sine of the angle about the axle at which the circle through a point of the profile passes the plane at that
     /// x (m).
     fn sine(&self, [y, z]: [f64; 2], x: f64) -> f64 {
         let wheelset = self.setup.wheelset();
-        let (sin, cos) = self.attitude.yaw.sin_cos();
+        let [sin, cos] = self.yaw;
         (x + (wheelset.arm() + y) * sin) / ((wheelset.nominal_radius + z) * cos)
     }
 }
@@ -189,7 +203,7 @@ struct Top {
     /// Lengths (m) along the curve, rising, at which y rises too.
     places: Vec<f64>,
     /// y (m) there.
-    across: Vec<f64>,
+    across: Sorted,
 }
 
 impl Top {
@@ -201,18 +215,15 @@ impl Top {
         let rises = |at: usize| points[at + 1][0] > points[at][0];
         let first = (0..highest).rev().find(|&at| !rises(at)).map_or(0, |at| at + 1);
         let last = (highest..points.len() - 1).find(|&at| !rises(at)).unwrap_or(points.len() - 1);
-        let across = points[first..=last].iter().map(|point| point[0]).collect();
+        let across = Sorted::new(points[first..=last].iter().map(|point| point[0]).collect());
         Self { places: places[first..=last].to_vec(), across }
     }
 
     /// Where the rail has that y (m along its curve), if it reaches there.
     fn below(&self, rail: &Curve, y: f64) -> Option<f64> {
-        let after = self.across.partition_point(|&across| across <= y);
-        if after == 0 || after == self.across.len() {
-            return None;
-        }
-        Some(roots::zero(self.places[after - 1], self.places[after], |along| {
-            rail.point(along)[0] - y
-        }))
+        let after = self.across.up_to(y);
+        // The places hold all nodes: between two of them lies one piece.
+        (after > 0 && after < self.places.len())
+            .then(|| rail.meets([self.places[after - 1], self.places[after]], [1.0, 0.0], y))
     }
 }
