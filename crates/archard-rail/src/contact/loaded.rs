@@ -3,6 +3,7 @@
 use archard::body::contact_modulus;
 use archard::parameters::Invalid;
 
+use super::height::Sunk;
 use super::pressed::{Pressed, Site};
 use super::{Bodies, ContactError, Operation, Quantities, Resolution, apart, counterpart, height};
 use crate::bounds;
@@ -46,24 +47,22 @@ impl<'a> Loaded<'a> {
         &self.search
     }
 
-    /// How far (m) it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
-    pub fn guess(&self) -> f64 {
+    /// How far it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
+    pub fn guess(&self) -> Sunk {
         let modulus = contact_modulus([Some(&self.bodies.wheel), Some(&self.bodies.rail)]);
         let radius = self.search.setup().wheelset().nominal_radius;
         let force = 4.0 / 3.0 * modulus * radius.sqrt();
-        (self.operation.load / force).cbrt().powi(2)
+        Sunk { down: (self.operation.load / force).cbrt().powi(2), slope: None }
     }
 
-    /// How far (m) it goes down until its contacts bear the load, on so many elements and from a guess (m), and the patches.
-    pub fn on(&self, elements: usize, guess: f64) -> Result<(f64, Vec<Pressed>), ContactError> {
+    /// How far it goes down until its contacts bear the load, on so many elements and from a guess, and the patches.
+    pub fn on(&self, elements: usize, guess: Sunk) -> Result<(Sunk, Vec<Pressed>), ContactError> {
         let bears = |height: f64| {
             let patches = self.at(elements, height)?;
             let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
             Ok((patches, borne))
         };
-        let guess = self.onset + guess;
-        let (height, patches) = height::find(self.operation.load, self.onset, guess, bears)?;
-        Ok((height - self.onset, patches))
+        height::find(self.operation.load, self.onset, guess, bears)
     }
 
     /// The patches on so many elements with the wheel at that height (m).

@@ -9,23 +9,17 @@ use glam::DVec3;
 use super::{Patch, Search};
 use crate::roots;
 
-/// Distance (m) between the places of a profile between which a depth is looked for.
-const STEP: f64 = 2e-4;
-
 /// The gap over a tangent plane.
 #[derive(Debug, Clone)]
 pub struct Gap<'a> {
     search: &'a Search<'a>,
     patch: Patch,
-    /// Places (m) along the profiles of the wheel and of the rail.
-    samples: [Vec<f64>; 2],
 }
 
 impl<'a> Search<'a> {
     /// The gap over the tangent plane of that patch.
     pub fn gap(&'a self, patch: &Patch) -> Gap<'a> {
-        let samples = [self.setup.wheel(), self.setup.rail()].map(|curve| curve.samples(STEP));
-        Gap { search: self, patch: patch.clone(), samples }
+        Gap { search: self, patch: patch.clone() }
     }
 }
 
@@ -63,7 +57,8 @@ impl Gap<'_> {
     /// Where (m along its curve) the wheel has each s at that x.
     fn wheel(&self, x: f64, across: &[f64]) -> Vec<Option<f64>> {
         let s = |along: f64| self.on_wheel(x, along).y;
-        let depths = Depths::new(&self.samples[0], self.patch.deepest, over(across), s);
+        let depths =
+            Depths::new(&self.search.setup.samples()[0], self.patch.deepest, over(across), s);
         let meets =
             |s_there: f64, [from, to]: [f64; 2]| roots::zero(from, to, |along| s(along) - s_there);
         across.iter().map(|&s| depths.around(s).map(|around| meets(s, around))).collect()
@@ -73,9 +68,9 @@ impl Gap<'_> {
     fn rail(&self, across: &[f64]) -> Vec<Option<f64>> {
         let Self { search, patch, .. } = self;
         let rail = search.setup.rail();
-        let centre = search.top.below(rail, patch.reference.y).unwrap_or(0.0);
+        let centre = search.setup.below(patch.reference.y).unwrap_or(0.0);
         let s = |along: f64| self.on_rail(along).y;
-        let depths = Depths::new(&self.samples[1], centre, over(across), s);
+        let depths = Depths::new(&search.setup.samples()[1], centre, over(across), s);
         // s is a coordinate of the profile, from that of the reference point.
         let (sin, cos) = patch.angle.sin_cos();
         let own = patch.reference.y * cos + patch.reference.z * sin;

@@ -16,10 +16,9 @@ pub(crate) use roll::SETTLED;
 
 use glam::{DMat3, DVec3};
 
-use crate::curve::{Curve, Place};
+use crate::curve::Place;
 use crate::roots;
 use crate::setup::{Attitude, Setup};
-use crate::sorted::Sorted;
 use archard::parameters::Invalid;
 
 /// Distance (m) between the places at which the gap is first looked at; patches narrower than that may be missed.
@@ -61,7 +60,6 @@ pub struct Search<'a> {
     yaw: [f64; 2],
     /// The middle of the axle (m) with the wheel at height 0.
     centre: DVec3,
-    top: Top,
     locus: Vec<Possible>,
 }
 
@@ -85,7 +83,6 @@ impl<'a> Search<'a> {
 
     fn by(setup: &'a Setup, attitude: Attitude, step: f64) -> Result<Self, Invalid> {
         let attitude = attitude.checked()?;
-        let top = Top::new(setup.rail());
         let (sin, cos) = attitude.yaw.sin_cos();
         let mut search = Self {
             setup,
@@ -93,7 +90,6 @@ impl<'a> Search<'a> {
             rotation: attitude.rotation(),
             yaw: [sin, cos],
             centre: setup.centre(&attitude, 0.0),
-            top,
             locus: vec![],
         };
         let places = setup.wheel().samples_apart(step);
@@ -137,13 +133,13 @@ impl<'a> Search<'a> {
     /// The point (y and z, m, in the track) of the top of the rail at that y (m), if it reaches there.
     pub(crate) fn on_rail(&self, y: f64) -> Option<[f64; 2]> {
         let rail = self.setup.rail();
-        Some(rail.point(self.top.below(rail, y)?))
+        Some(rail.point(self.setup.below(y)?))
     }
 
     /// The angle (rad) by which the top of the rail is turned about x at that y (m), if it reaches there.
     pub fn inclination(&self, y: f64) -> Option<f64> {
         let rail = self.setup.rail();
-        let [along_y, along_z] = rail.place(self.top.below(rail, y)?).tangent;
+        let [along_y, along_z] = rail.place(self.setup.below(y)?).tangent;
         Some(along_z.atan2(along_y))
     }
 
@@ -165,7 +161,7 @@ impl<'a> Search<'a> {
     fn possible(&self, along: f64) -> Option<Possible> {
         let place = self.setup.wheel().place(along);
         let point = self.facing(&place)?;
-        let on_rail = self.top.below(self.setup.rail(), point.y)?;
+        let on_rail = self.setup.below(point.y)?;
         let gap = self.setup.rail().point(on_rail)[1] - point.z;
         Some(Possible { on_wheel: along, on_rail, point, gap })
     }
@@ -194,36 +190,5 @@ impl<'a> Search<'a> {
         let wheelset = self.setup.wheelset();
         let [sin, cos] = self.yaw;
         (x + (wheelset.arm() + y) * sin) / ((wheelset.nominal_radius + z) * cos)
-    }
-}
-
-/// The stretch of the rail that can be seen from above.
-#[derive(Debug, Clone)]
-struct Top {
-    /// Lengths (m) along the curve, rising, at which y rises too.
-    places: Vec<f64>,
-    /// y (m) there.
-    across: Sorted,
-}
-
-impl Top {
-    fn new(rail: &Curve) -> Self {
-        let places = rail.samples(1e-4);
-        let points: Vec<[f64; 2]> = places.iter().map(|&along| rail.point(along)).collect();
-        let highest = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1]));
-        let highest = highest.unwrap_or(0);
-        let rises = |at: usize| points[at + 1][0] > points[at][0];
-        let first = (0..highest).rev().find(|&at| !rises(at)).map_or(0, |at| at + 1);
-        let last = (highest..points.len() - 1).find(|&at| !rises(at)).unwrap_or(points.len() - 1);
-        let across = Sorted::new(points[first..=last].iter().map(|point| point[0]).collect());
-        Self { places: places[first..=last].to_vec(), across }
-    }
-
-    /// Where the rail has that y (m along its curve), if it reaches there.
-    fn below(&self, rail: &Curve, y: f64) -> Option<f64> {
-        let after = self.across.up_to(y);
-        // The places hold all nodes: between two of them lies one piece.
-        (after > 0 && after < self.places.len())
-            .then(|| rail.meets([self.places[after - 1], self.places[after]], [1.0, 0.0], y))
     }
 }

@@ -151,7 +151,7 @@ impl Search<'_> {
         let rail = self.setup.rail();
         let Stretch { means, depth, deepest, along, edges, widest, cut } = *stretch;
         let centre = means.centre();
-        let on_rail = self.top.below(rail, centre.y).map(|along| rail.point(along)[1]);
+        let on_rail = self.setup.below(centre.y).map(|along| rail.point(along)[1]);
         let reference = DVec3::new(centre.x, centre.y, on_rail.unwrap_or(centre.z));
         let mut patch = Patch {
             reference,

@@ -5,6 +5,7 @@
 //! the wheelset as the mirror shows it, and what is computed from them has y to the field side of the left rail.
 
 mod side;
+mod top;
 mod track;
 mod wheelset;
 
@@ -16,7 +17,10 @@ use glam::DVec3;
 
 use crate::curve::Curve;
 use archard::parameters::Invalid;
+use top::Top;
 
+/// Distance (m) between the places of a profile between which a depth is looked for.
+const STEP: f64 = 2e-4;
 /// Most length (m) of a profile that can stand in the track.
 const LONGEST: f64 = 2.0;
 
@@ -37,6 +41,9 @@ pub struct Setup {
     placing: Placing,
     wheel: Curve,
     wheelset: Wheelset,
+    /// What is looked up at every state: the rail from above, and places (m) along the wheel and the rail.
+    top: Top,
+    samples: [Vec<f64>; 2],
 }
 
 impl Setup {
@@ -60,14 +67,30 @@ impl Setup {
             ));
         }
         let placing = track.place(rail)?;
-        Ok(Self { rail: placing.curve(rail), placing, wheel: wheel.clone(), wheelset })
+        Ok(Self::standing(placing, rail, wheelset, wheel))
     }
 
     /// The same with other curves (m), in their own coordinates, each where the one before it stands: a worn rail is lower
     /// than a new one.
     #[must_use]
     pub fn worn(&self, rail: &Curve, wheel: &Curve) -> Self {
-        Self { rail: self.placing.curve(rail), wheel: wheel.clone(), ..self.clone() }
+        Self::standing(self.placing, rail, self.wheelset, wheel)
+    }
+
+    fn standing(placing: Placing, rail: &Curve, wheelset: Wheelset, wheel: &Curve) -> Self {
+        let (rail, wheel) = (placing.curve(rail), wheel.clone());
+        let (top, samples) = (Top::new(&rail), [&wheel, &rail].map(|curve| curve.samples(STEP)));
+        Self { rail, placing, wheel, wheelset, top, samples }
+    }
+
+    /// Where the rail has that y (m along its curve) as it is seen from above, if it reaches there.
+    pub(crate) fn below(&self, y: f64) -> Option<f64> {
+        self.top.below(&self.rail, y)
+    }
+
+    /// Places (m along the curves) of the wheel and of the rail, all nodes among them, between which a depth is looked for.
+    pub(crate) fn samples(&self) -> &[Vec<f64>; 2] {
+        &self.samples
     }
 
     /// The rail in the track (m).
