@@ -129,9 +129,8 @@ impl RailContact {
     /// Lateral force against the flange (Y) and vertical force (Q) of all patches (N).
     pub fn forces(&self) -> [f64; 2] {
         let of_patch = |patch: &Patch| {
-            let (sin, cos) = patch.values.contact_angle.sin_cos();
-            let (normal, across) = (patch.values.normal_force, patch.values.force_s);
-            [across * cos - normal * sin, normal * cos + across * sin]
+            let [_, across, down] = patch.force();
+            [across, down]
         };
         let sum = |sum: [f64; 2], own: [f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
         self.patches.iter().map(of_patch).fold([0.0; 2], sum)

@@ -50,7 +50,9 @@ impl<'a> Loaded<'a> {
     /// How far it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
     pub fn guess(&self) -> Sunk {
         let modulus = contact_modulus([Some(&self.bodies.wheel), Some(&self.bodies.rail)]);
-        let radius = self.search.setup().wheelset().nominal_radius;
+        let setup = self.search.setup();
+        let radius =
+            (setup.wheelset().nominal_radius.recip() + setup.roller().curvature(0.0)).recip();
         let force = 4.0 / 3.0 * modulus * radius.sqrt();
         Sunk { down: (self.operation.load / force).cbrt().powi(2), slope: None }
     }
@@ -102,7 +104,12 @@ impl<'a> Loaded<'a> {
             onset: self.onset,
             z_wheel: patch.height,
             y_track: patch.reference.y,
-            y_rail: self.search.setup().placing().in_rail(patch.reference).y,
+            y_rail: self
+                .search
+                .setup()
+                .placing()
+                .in_rail(patch.reference.with_z(patch.on_profile))
+                .y,
             y_wheel: self.search.in_wheel(patch.reference, patch.height).y,
             contact_angle: patch.angle,
             creepage: creepage.longitudinal,

@@ -38,6 +38,8 @@ pub use sampled::{GROUPS, sampled};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use glam::{DMat3, DVec3};
+
 use archard::Material;
 use archard::friction::Friction;
 use archard::wear::{Input, WearLaw};
@@ -188,6 +190,17 @@ pub struct Patch {
     pub angle_spread: f64,
     /// Pressures, tractions and slip.
     pub map: PatchMap,
+    /// The turn (rad) about the axis of a roller, before that by the contact angle; 0 of a straight rail.
+    pub turn: f64,
+}
+
+impl Patch {
+    /// The force (N) on the rail: forward, to the field side and downwards in the track.
+    pub fn force(&self) -> [f64; 3] {
+        let Quantities { force_x, force_s, normal_force, contact_angle, .. } = self.values;
+        let frame = DMat3::from_rotation_y(self.turn) * DMat3::from_rotation_x(contact_angle);
+        (frame * DVec3::new(force_x, force_s, normal_force)).to_array()
+    }
 }
 
 /// The patches of contact of a wheel under its load, from the field side to the flange.
@@ -246,7 +259,13 @@ pub fn contact(
             .with(&change(&middle, &coarse), |last, before| last.max(0.5 * before));
         let errors = more(pressed).map_or(errors, |more| errors.with(&more, f64::max));
         let errors = errors.with(&values, |error, value| error + off * value.abs());
-        Patch { values, errors, angle_spread: pressed.angle_spread, map: pressed.map.clone() }
+        Patch {
+            values,
+            errors,
+            angle_spread: pressed.angle_spread,
+            map: pressed.map.clone(),
+            turn: pressed.patch.turn,
+        }
     });
     Ok(patches.collect())
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
@@ -117,7 +119,8 @@ fn parabola(places: &[(f64, f64, f64)]) -> f64 {
 impl Pressed {
     /// What it takes of the vertical load (N).
     pub fn vertical(&self) -> f64 {
-        self.normal * self.patch.angle.cos() + self.tangential[1] * self.patch.angle.sin()
+        let [x, s] = self.tangential;
+        (self.patch.frame() * DVec3::new(x, s, self.normal)).z
     }
 }
 
@@ -205,22 +208,23 @@ impl Site {
     }
 
     /// What the creepage gains with the square of s (1/m^2), as the surface between wheel and rail leaves the tangent plane: a point that
-    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more. The curvature is that of the parabola
+    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more, on a roller dz over its radius, too. The curvature is that of the parabola
     /// nearest to the surface, weighted by the overlap.
     fn bow(&self, search: &Search<'_>) -> f64 {
-        let (sin, cos) = self.patch.angle.sin_cos();
+        let cos = self.patch.angle.cos();
         let reference = self.patch.reference;
         let [columns, rows] = self.lattice.elements;
         let place = |row: usize| {
             let overlap = self.lattice.overlap(columns / 2 + columns * row);
-            let [y, z] = search.on_rail(reference.y + self.lattice.across(row) * cos)?;
-            let (y, z) = (y - reference.y, z - reference.z);
-            let (s, below) = (y * cos + z * sin, z * cos - y * sin);
+            let place = search.on_rail(reference.y + self.lattice.across(row) * cos)?;
+            let [s, below] = self.patch.in_the_plane(place);
             // Halfway between both.
             (overlap > 0.0).then_some((overlap, s, below + 0.5 * overlap))
         };
         let places: Vec<(f64, f64, f64)> = (0..rows).filter_map(place).collect();
-        parabola(&places) * cos / search.setup().wheelset().nominal_radius
+        let setup = search.setup();
+        let rail = setup.roller().curvature(self.patch.on_profile);
+        parabola(&places) * cos * (setup.wheelset().nominal_radius.recip() + rail)
     }
 
     /// How much the inclination of the rail (rad) differs over the rows in contact, which may not reach the end of a profile.

@@ -1,8 +1,8 @@
 //! The undeformed gap normal to the tangent plane of a patch.
 //!
-//! In a plane at some x the wheel's surface is a curve: the circle through a point of its profile at radius r and
-//! distance y from the middle of the axle passes there at sin t = (x + y sin(yaw))/(r cos(yaw)). In the frame of the
-//! contact this curve and the rail's profile are depths n over s; the gap is the rail's less the wheel's.
+//! In a plane at some x the wheel's surface is a curve: where the circle through each point of its profile passes there, on a straight rail
+//! at sin t = (x + y sin(yaw))/(r cos(yaw)), with the radius r and the distance y from the middle of the axle. In the frame of the
+//! contact this curve and the rail's profile, on a roller as it lies at that x, are depths n over s; the gap is the rail's less the wheel's.
 
 use glam::DVec3;
 
@@ -14,12 +14,20 @@ use crate::roots;
 pub struct Gap<'a> {
     search: &'a Search<'a>,
     patch: Patch,
+    /// The normal of the planes at each x, in the axes of the wheelset.
+    normal: DVec3,
+    /// How far (m) along it the reference point lies from the middle of the axle.
+    far: f64,
 }
 
 impl<'a> Search<'a> {
     /// The gap over the tangent plane of that patch.
     pub fn gap(&'a self, patch: &Patch) -> Gap<'a> {
-        Gap { search: self, patch: patch.clone() }
+        let normal = patch.frame().x_axis;
+        let centre = self.setup.centre(&self.attitude, patch.height);
+        let far = normal.dot(patch.reference - centre);
+        let normal = self.rotation.transpose() * normal;
+        Gap { search: self, patch: patch.clone(), normal, far }
     }
 }
 
@@ -27,27 +35,32 @@ impl Gap<'_> {
     /// The gap (m) at that x (m) and each s (m) of the tangent plane, from the reference point; negative where the
     /// bodies overlap, infinite where the rail or the wheel does not reach.
     pub fn column(&self, x: f64, across: &[f64]) -> Vec<f64> {
-        self.between(x, across, &self.rail(across))
+        self.between(x, across, &self.rail(x, across))
     }
 
     /// Where (m along the curves) the wheel and the rail have each s (m) at x = 0; `None` where one does not reach.
     pub fn places(&self, across: &[f64]) -> Option<[Vec<f64>; 2]> {
         let wheel = self.wheel(0.0, across).into_iter().collect::<Option<_>>()?;
-        let rail = self.rail(across).into_iter().collect::<Option<_>>()?;
+        let rail = self.rail(0.0, across).into_iter().collect::<Option<_>>()?;
         Some([wheel, rail])
     }
 
     /// The gap (m) over the grid of those x and s (m), x by x: the value at x number i and s number j stands at
     /// i times the number of s plus j.
     pub fn grid(&self, along: &[f64], across: &[f64]) -> Vec<f64> {
-        let rail = self.rail(across);
-        along.iter().flat_map(|&x| self.between(x, across, &rail)).collect()
+        let straight = self.search.setup.roller().radius().is_none();
+        let rail = straight.then(|| self.rail(0.0, across));
+        let column = |&x: &f64| match &rail {
+            Some(rail) => self.between(x, across, rail),
+            None => self.column(x, across),
+        };
+        along.iter().flat_map(column).collect()
     }
 
     /// The gap at that x and each s, where the rail has those places.
     fn between(&self, x: f64, across: &[f64], rail: &[Option<f64>]) -> Vec<f64> {
         let gap = |(wheel, rail): (Option<f64>, &Option<f64>)| {
-            let gap = self.on_rail((*rail)?).z - self.on_wheel(x, wheel?).z;
+            let gap = self.on_rail(x, (*rail)?)[1] - self.on_wheel(x, wheel?).z;
             gap.is_finite().then_some(gap)
         };
         let wheel = self.wheel(x, across).into_iter();
@@ -64,24 +77,31 @@ impl Gap<'_> {
         across.iter().map(|&s| depths.around(s).map(|around| meets(s, around))).collect()
     }
 
-    /// Where (m along its curve) the rail has each s.
-    fn rail(&self, across: &[f64]) -> Vec<Option<f64>> {
+    /// Where (m along its curve) the rail has each s at that x.
+    fn rail(&self, x: f64, across: &[f64]) -> Vec<Option<f64>> {
         let Self { search, patch, .. } = self;
         let rail = search.setup.rail();
         let centre = search.setup.below(patch.reference.y).unwrap_or(0.0);
-        let s = |along: f64| self.on_rail(along).y;
+        let s = |along: f64| self.on_rail(x, along)[0];
         let depths = Depths::new(&search.setup.samples()[1], centre, over(across), s);
         // s is a coordinate of the profile, from that of the reference point.
         let (sin, cos) = patch.angle.sin_cos();
-        let own = patch.reference.y * cos + patch.reference.z * sin;
-        let meets = |s: f64, around| rail.meets(around, [cos, sin], own + s);
+        let own = patch.reference.y * cos + patch.on_profile * sin;
+        let straight = search.setup.roller().radius().is_none();
+        let meets = |wanted: f64, around: [f64; 2]| match straight {
+            true => rail.meets(around, [cos, sin], own + wanted),
+            false => roots::zero(around[0], around[1], |along| s(along) - wanted),
+        };
         across.iter().map(|&s| depths.around(s).map(|around| meets(s, around))).collect()
     }
 
-    /// The point of the rail at a place of its profile, in the frame of the contact.
-    fn on_rail(&self, along: f64) -> DVec3 {
-        let [y, z] = self.search.setup.rail().point(along);
-        self.patch.local(DVec3::new(self.patch.reference.x, y, z))
+    /// s and n of the point of the rail's surface at that x (m from the reference point) through a place of its profile; not a number
+    /// where a roller does not reach.
+    fn on_rail(&self, x: f64, along: f64) -> [f64; 2] {
+        let setup = self.search.setup;
+        let [y, z] = setup.rail().point(along);
+        let z = setup.roller().at(z, x).map_or(f64::NAN, |at| at.z);
+        self.patch.in_the_plane([y, z])
     }
 
     /// The point of the wheel's surface at that x (m from the reference point) on the circle through a place of its
@@ -89,7 +109,7 @@ impl Gap<'_> {
     fn on_wheel(&self, x: f64, along: f64) -> DVec3 {
         let search = self.search;
         let point = search.setup.wheel().point(along);
-        let sin = search.sine(point, self.patch.reference.x + x);
+        let sin = search.sine(point, (self.normal, self.far + x));
         self.patch.local(search.on_circle(point, sin) + DVec3::Z * self.patch.height)
     }
 }

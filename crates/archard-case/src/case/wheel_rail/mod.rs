@@ -158,8 +158,14 @@ impl WheelRailCase {
             flange_back_position: position,
             nominal_radius: wheel.radius,
         };
+        let radius = rail.radius;
         let place = |rail: &Curve, wheel: &Curve| {
-            Setup::new(track, rail, wheelset, wheel).map_err(|error| self.problem(error))
+            let setup = Setup::new(track, rail, wheelset, wheel);
+            let setup = setup.and_then(|setup| match radius {
+                Some(radius) => setup.on_a_roller(radius),
+                None => Ok(setup),
+            });
+            setup.map_err(|error| self.problem(error))
         };
         let setup = place(&rail.shape.curve, &wheel.shape.curve)?;
         self.hold_flange(&setup)?;
@@ -394,6 +400,7 @@ impl WheelRailCase {
             "nominal_radius" => wheel.child("radius"),
             "rail" => rail,
             "cant" => rail.child("cant"),
+            "rail_radius" => rail.child("radius"),
             "flange_back_distance" => motion.child("flange_back"),
             "velocity" => motion.child("speed"),
             "load" => motion.child("wheel_load"),
