@@ -40,6 +40,7 @@ fn patches(setup: &Setup, elements: usize) -> Vec<Patch> {
     let bodies = Bodies {
         wheel: steel,
         rail: steel,
+        thermal: [None, None],
         friction: Arc::new(Coulomb::new(0.3).unwrap()),
         flange: None,
         wear: [None, None],

@@ -55,6 +55,7 @@ fn solved(setup: &Setup, attitude: Attitude, driven: f64) -> Vec<Patch> {
     let bodies = Bodies {
         wheel: steel(),
         rail: steel(),
+        thermal: [None, None],
         friction: Arc::new(Coulomb::new(0.3).unwrap()),
         flange: None,
         wear: [None, None],

@@ -212,15 +212,18 @@ pub fn rail_files(
 
 /// The map of a patch for ParaView, over x and s from its reference point.
 fn image(patch: &Patch) -> Image {
-    let PatchMap { origin, spacing, elements, pressure, traction, slip } = patch.map.clone();
+    let PatchMap { origin, spacing, elements, pressure, traction, slip, rise } = patch.map.clone();
     let ([traction_x, traction_s], [slip_x, slip_s]) = (traction, slip);
-    let fields = vec![
+    let mut fields = vec![
         Field::new("pressure_Pa", pressure),
         Field::new("traction_x_Pa", traction_x),
         Field::new("traction_s_Pa", traction_s),
         Field::new("slip_x", slip_x),
         Field::new("slip_s", slip_s),
     ];
+    if !rise.is_empty() {
+        fields.push(Field::new("temperature_rise_K", rise));
+    }
     Image { origin, spacing, elements, fields }
 }
 
@@ -253,6 +256,8 @@ fn rail_verdict(results: &RailResults) -> Verdict {
         .map(|(_, patch)| patch.values.creepage.hypot(patch.values.lateral_creepage));
     lines.extend(creeps.max_by(f64::total_cmp).map(verdict::creepage));
     lines.extend(stated(contacts));
+    let slowest = patches(contacts).filter_map(|(_, patch)| Some(patch.warmth?.peclet));
+    lines.extend(slowest.min_by(f64::total_cmp).map(verdict::heat));
     let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
     let climbs = contacts.iter().flat_map(|contact| {
@@ -288,7 +293,7 @@ pub fn farthest(contacts: &[RailContact]) -> Option<(&RailContact, f64)> {
     off.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// The largest stated error of all patches, relative: of pressures to the largest on their wheel, of areas to all of its contact, of forces to
+/// The largest stated error of all patches, relative: of pressures and temperatures to the largest on their wheel, of areas to all of its contact, of forces to
 /// its load, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
 fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
     let relative = |(contact, patch): (&RailContact, &Patch)| {
@@ -319,7 +324,13 @@ fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
         // A wheel that stands has no creepages.
         creepages.into_iter().filter(move |_| slip > 0.0)
     };
+    let warm = patches(contacts).filter_map(|(contact, patch)| {
+        let rises = contact.patches.iter().filter_map(|patch| Some(patch.warmth?.rise[0]));
+        let largest = rises.fold(0.0, f64::max);
+        (largest > 0.0).then_some(("temperature_rise_K", patch.warmth?.rise[1] / largest))
+    });
     let all = patches(contacts).flat_map(relative).chain(patches(contacts).flat_map(slipping));
+    let all = all.chain(warm);
     let worst = all.max_by(|one, other| one.1.total_cmp(&other.1));
     worst.map(|(column, error)| verdict::stated(error, column))
 }
@@ -336,7 +347,13 @@ pub fn contact_row(patch: &Patch) -> Vec<(String, f64)> {
     let values = values.map(|(name, value)| ((*name).to_owned(), value));
     let errors = names.zip(patch.errors.values());
     let errors = errors.map(|(name, error)| (format!("error_of_{name}"), error));
-    values.chain([("angle_spread_rad".to_owned(), patch.angle_spread)]).chain(errors).collect()
+    let warmth = patch.warmth.iter().flat_map(|warmth| {
+        let [rise, error] = warmth.rise;
+        [("temperature_rise_K", rise), ("error_of_temperature_rise_K", error)]
+            .map(|(name, value)| (name.to_owned(), value))
+    });
+    let spread = [("angle_spread_rad".to_owned(), patch.angle_spread)];
+    values.chain(spread).chain(errors).chain(warmth).collect()
 }
 
 fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {

@@ -41,6 +41,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use archard::Material;
+use archard::body::Thermal;
 use archard::friction::Friction;
 use archard::wear::{Input, WearLaw};
 
@@ -58,6 +59,8 @@ pub struct Bodies {
     pub wheel: Material,
     /// Of the rail.
     pub rail: Material,
+    /// How the wheel and the rail conduct heat, and how warm they are; `None` where nobody asks for their temperature.
+    pub thermal: [Option<Thermal>; 2],
     /// Between both.
     pub friction: Arc<dyn Friction>,
     /// Between both on the flange, where it differs, as where that is lubricated.
@@ -190,8 +193,19 @@ pub struct Patch {
     pub angle_spread: f64,
     /// Pressures, tractions and slip.
     pub map: PatchMap,
+    /// How friction warms it; `None` where wheel and rail do not say how they conduct heat.
+    pub warmth: Option<Warmth>,
     /// The turn (rad) about the axis of a roller, before that by the contact angle; 0 of a straight rail.
     pub turn: f64,
+}
+
+/// How friction warms the surfaces of a patch (M. Ertz and K. Knothe, *Wear* 253 (2002) 498).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Warmth {
+    /// The largest rise (K) above the temperature of the bodies, and its error.
+    pub rise: [f64; 2],
+    /// Peclet number of its longest row: below 5 rises are too high.
+    pub peclet: f64,
 }
 
 impl Patch {
@@ -259,7 +273,17 @@ pub fn contact(
             .with(&change(&middle, &coarse), |last, before| last.max(0.5 * before));
         let errors = more(pressed).map_or(errors, |more| errors.with(&more, f64::max));
         let errors = errors.with(&values, |error, value| error + off * value.abs());
+        let warmth = pressed.flash.map(|[rise, peclet]| {
+            let on = |grid: usize| {
+                let (patches, height) = &grids[grid];
+                let [rise, _] =
+                    loaded.counterpart(pressed, patches, *height).flash.unwrap_or_default();
+                rise
+            };
+            Warmth { rise: [rise, last_change([on(0), on(1), rise])], peclet }
+        });
         Patch {
+            warmth,
             values,
             errors,
             angle_spread: pressed.angle_spread,

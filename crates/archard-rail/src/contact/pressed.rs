@@ -35,6 +35,8 @@ pub(crate) struct Pressed {
     pub peak: f64,
     pub area: f64,
     pub power: f64,
+    /// The largest rise (K) of the temperature, and the Peclet number; `None` where nothing is known of heat, or nothing rubs.
+    pub flash: Option<[f64; 2]>,
     /// How much the inclination of the rail (rad) differs within the contact.
     pub angle_spread: f64,
     /// What it was read off, where bodies wear: lines across s wear at each passage.
@@ -56,6 +58,7 @@ impl Pressed {
             peak: 0.0,
             area: 0.0,
             power: 0.0,
+            flash: None,
             angle_spread: 0.0,
             contact: None,
             map: PatchMap::default(),
@@ -85,6 +88,8 @@ pub struct PatchMap {
     pub traction: [Vec<f64>; 2],
     /// Slip of the wheel over the rail along x and s, relative to the rolling speed; zero where nothing touches.
     pub slip: [Vec<f64>; 2],
+    /// Rise (K) of the temperature of both surfaces above that of the bodies; empty where it is not known.
+    pub rise: Vec<f64>,
 }
 
 impl PatchMap {
@@ -179,6 +184,7 @@ impl Site {
             field.iter().zip(&state.pressure).map(value).collect::<Vec<f64>>()
         };
         let none = || [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+        let flash = problem.flash(state);
         let map = PatchMap {
             origin: frame.rectangle().corner(),
             spacing,
@@ -190,6 +196,7 @@ impl Site {
             slip: tangential.map_or_else(none, |of| {
                 of.slip.each_ref().map(|one| touching(one, -1.0 / spacing[0]))
             }),
+            rise: flash.as_ref().map_or_else(Vec::new, |flash| flash.rise.clone()),
         };
         Ok(Pressed {
             map,
@@ -200,6 +207,9 @@ impl Site {
             peak: contact.peak_pressure(),
             area: contact.area(),
             power: tangential.map_or(0.0, |of| of.creep_power(problem, &drives) * creepage.speed),
+            flash: flash.and_then(|flash| {
+                Some([flash.rise.into_iter().fold(0.0, f64::max), flash.peclet?])
+            }),
             angle_spread,
             contact: wears.then(|| contact.clone()),
             patch: self.patch,
@@ -260,6 +270,7 @@ impl Site {
         let mut wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
         let mut rail = Body::new("rail", Flat).material(bodies.rail);
         [wheel.wear, rail.wear] = wear.clone();
+        [wheel.thermal, rail.thermal] = bodies.thermal;
         let rolls = Contact::rolling([wheel, rail], rolling, Control::Approach(approach));
         Ok(rolls.map_err(Refused::from)?.contact(frame, compliance))
     }
