@@ -231,7 +231,7 @@ fn a_flange_may_wear_by_its_own_law() {
         (vec![own, from], ["body.wheel.flange_wear", "has no `wear`"]),
         (vec![WEARS, far, rail, from], ["body.rail.flange_wear", "has no `wear`"]),
         (warm.to_vec(), ["body.wheel.thermal", "share that of friction"]),
-        ([&warm[..], &heats[..2]].concat(), ["body.rail.thermal", "share that of friction"]),
+        ([&warm[..], &heats[..3]].concat(), ["body.rail.thermal", "share that of friction"]),
         (
             [&warm[..], &heats[..], &["body.rail.thermal.share=0.5"]].concat(),
             ["body.rail.thermal.share", "follows from"],
