@@ -1,7 +1,5 @@
 //! The height of the wheel at which its contacts bear the load.
 
-use serde::{Deserialize, Serialize};
-
 use super::ContactError;
 
 /// How far what is borne may be from the load, relative to it: tractions are found to 1e-6 of their limits, and friction bears a
@@ -10,56 +8,32 @@ const MET: f64 = 1e-5;
 /// Heights that are tried. Every fourth halves the bracket, which leaves no digit of it.
 const MOST: usize = 240;
 
-/// Change of the 2/3 power of what is borne, relative to the load, from which a slope is read: that many times what counts for nothing.
-const SEEN: f64 = 100.0 * MET;
-
-/// How far a wheel goes down from where it begins to touch.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Sunk {
-    /// So far (m).
-    pub down: f64,
-    /// How fast the 2/3 power of what is borne grows there (1/m), relative to the load; that of Hertz where it is not known.
-    pub slope: Option<f64>,
-}
-
-/// Finds it below the onset (m), first at a guess, for contacts that bear what `bears` says (N).
+/// Finds it below the onset (m), first at a guess (m), for contacts that bear what `bears` says (N).
 ///
 /// The force of a contact of Hertz grows with the overlap to the power 3/2, so that its power 2/3 is a line: secants are
-/// taken of that, within a bracket. Other profiles have another slope, which a state near this one may know. Heights at which a contact comes to the end of a profile are too low. Where stretches of
+/// taken of that, within a bracket. Heights at which a contact comes to the end of a profile are too low. Where stretches of
 /// overlap become one patch what is borne jumps; if it jumps over the load, the state nearer to it is given.
 pub(super) fn find<T>(
     load: f64,
     onset: f64,
-    guess: Sunk,
+    guess: f64,
     mut bears: impl FnMut(f64) -> Result<(T, f64), ContactError>,
-) -> Result<(Sunk, T), ContactError> {
-    let sunk = |height: f64, slope| Sunk { down: height - onset, slope };
-    let mut slope = guess.slope;
+) -> Result<(f64, T), ContactError> {
     let (mut low, mut high) = (onset, f64::INFINITY);
-    let (mut last, mut height) = ([onset, -1.0], onset + guess.down);
+    let (mut last, mut height) = ([onset, -1.0], guess);
     let (mut borne, mut end) = (0.0, None);
     let mut nearest: Option<(f64, f64, T)> = None;
     for at in 0..MOST {
         let mut secant = f64::NAN;
         match bears(height) {
-            Ok((state, found)) if (found / load - 1.0).abs() <= MET => {
-                return Ok((sunk(height, slope), state));
-            }
+            Ok((state, found)) if (found / load - 1.0).abs() <= MET => return Ok((height, state)),
             Ok((state, found)) => {
                 let short = (found / load - 1.0).abs();
                 if nearest.as_ref().is_none_or(|(least, ..)| short < *least) {
                     nearest = Some((short, height, state));
                 }
                 let off = (found / load).max(0.0).cbrt().powi(2) - 1.0;
-                // The first one has no other but the onset.
-                if at > 0 || slope.is_none() {
-                    secant = height - off * (height - last[0]) / (off - last[1]);
-                    if at > 0 && (off - last[1]).abs() > SEEN {
-                        slope = Some((off - last[1]) / (height - last[0]));
-                    }
-                } else if let Some(slope) = slope {
-                    secant = height - off / slope;
-                }
+                secant = height - off * (height - last[0]) / (off - last[1]);
                 last = [height, off];
                 if off < 0.0 {
                     low = height;
@@ -83,26 +57,24 @@ pub(super) fn find<T>(
         }
     }
     match nearest {
-        Some((_, height, state)) if end.is_none() && high.is_finite() => {
-            Ok((sunk(height, slope), state))
-        }
+        Some((_, height, state)) if end.is_none() && high.is_finite() => Ok((height, state)),
         _ => Err(end.unwrap_or(ContactError::Unbearable { load, found: borne })),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ContactError, Sunk, find};
+    use super::{ContactError, find};
 
     fn heights(
         bears: impl Fn(f64) -> Result<f64, ContactError>,
     ) -> (Result<f64, ContactError>, usize) {
         let mut count = 0;
-        let found = find(8.0, 1.0, Sunk { down: 0.1, slope: None }, |height| {
+        let found = find(8.0, 1.0, 1.1, |height| {
             count += 1;
             bears(height).map(|borne| ((), borne))
         });
-        (found.map(|(sunk, ())| 1.0 + sunk.down), count)
+        (found.map(|(height, ())| height), count)
     }
 
     /// 8 = (5 - 1)^1.5, which two secants find; the same where profiles end below it, and just above it.
@@ -118,26 +90,6 @@ mod tests {
         };
         assert!((heights(short(5.01)).0.unwrap() - 5.0).abs() < 1e-5);
         assert!(matches!(heights(short(4.99)).0, Err(ContactError::Short { .. })));
-    }
-
-    /// A force that grows with another power: with the slope that a state near it has found one step less is taken.
-    #[test]
-    fn a_slope_that_is_known_saves_a_step() {
-        let find = |load: f64, guess| {
-            let mut count = 0;
-            let (sunk, ()) = find(load, 1.0, guess, |height: f64| {
-                count += 1;
-                Ok(((), (height - 1.0).powf(1.3)))
-            })
-            .unwrap();
-            assert!((sunk.down.powf(1.3) / load - 1.0).abs() <= 1e-5);
-            (sunk, count)
-        };
-        let (sunk, _) = find(8.0, Sunk { down: 2.0, slope: None });
-        let slope = 2.0 / 3.0 * 1.3 / sunk.down;
-        assert!((sunk.slope.unwrap() / slope - 1.0).abs() < 0.05, "{sunk:?}");
-        let [known, not] = [sunk, Sunk { slope: None, ..sunk }].map(|guess| find(8.02, guess).1);
-        assert!(known < not, "{known} {not}");
     }
 
     /// The load lies in a jump from 7.04 to 9.5: the lower end is nearer.

@@ -3,7 +3,6 @@
 use archard::body::contact_modulus;
 use archard::parameters::Invalid;
 
-use super::height::Sunk;
 use super::pressed::{Pressed, Site};
 use super::{Bodies, ContactError, Operation, Quantities, Resolution, apart, counterpart, height};
 use crate::bounds;
@@ -47,24 +46,26 @@ impl<'a> Loaded<'a> {
         &self.search
     }
 
-    /// How far it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
-    pub fn guess(&self) -> Sunk {
+    /// How far (m) it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
+    pub fn guess(&self) -> f64 {
         let modulus = contact_modulus([Some(&self.bodies.wheel), Some(&self.bodies.rail)]);
         let setup = self.search.setup();
         let radius =
             (setup.wheelset().nominal_radius.recip() + setup.roller().curvature(0.0)).recip();
         let force = 4.0 / 3.0 * modulus * radius.sqrt();
-        Sunk { down: (self.operation.load / force).cbrt().powi(2), slope: None }
+        (self.operation.load / force).cbrt().powi(2)
     }
 
-    /// How far it goes down until its contacts bear the load, on so many elements and from a guess, and the patches.
-    pub fn on(&self, elements: usize, guess: Sunk) -> Result<(Sunk, Vec<Pressed>), ContactError> {
+    /// How far (m) it goes down until its contacts bear the load, on so many elements and from a guess (m), and the patches.
+    pub fn on(&self, elements: usize, guess: f64) -> Result<(f64, Vec<Pressed>), ContactError> {
         let bears = |height: f64| {
             let patches = self.at(elements, height)?;
             let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
             Ok((patches, borne))
         };
-        height::find(self.operation.load, self.onset, guess, bears)
+        let guess = self.onset + guess;
+        let (height, patches) = height::find(self.operation.load, self.onset, guess, bears)?;
+        Ok((height - self.onset, patches))
     }
 
     /// The patches on so many elements with the wheel at that height (m).

@@ -26,7 +26,6 @@ mod roll;
 mod sampled;
 
 pub use error::ContactError;
-pub(crate) use height::Sunk;
 pub(crate) use loaded::Loaded;
 pub use pitch::pitch;
 pub use pressed::PatchMap;
@@ -233,9 +232,9 @@ pub fn contact(
     let mut guess = loaded.guess();
     let mut grids = vec![];
     for elements in [elements / 4, elements / 2, elements] {
-        let (sunk, pressed) = loaded.on(elements, guess)?;
-        guess = sunk;
-        grids.push((pressed, loaded.height(sunk.down)));
+        let (down, pressed) = loaded.on(elements, guess)?;
+        guess = down;
+        grids.push((pressed, loaded.height(down)));
     }
     let finest = || grids[2].0.iter().filter(|pressed| pressed.normal > 0.0);
     let bears = |grid: &[Pressed], pressed: &Pressed| {

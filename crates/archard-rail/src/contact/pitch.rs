@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 
 use glam::DVec3;
 
-use super::{Bodies, ContactError, Loaded, Operation, Pressed, Resolution, Sunk};
+use super::{Bodies, ContactError, Loaded, Operation, Pressed, Resolution};
 use crate::bounds;
 use crate::roots;
 use crate::setup::{Setup, Side, Velocity};
@@ -42,10 +42,10 @@ pub fn pitch(
         let of = |(setup, side): (&Setup, Side)| {
             let own = turning.of_side(side);
             let loaded = Loaded::new(setup, bodies, &own, resolution)?;
-            let before: &Cell<Option<Sunk>> = &sunk[usize::from(side == Side::Left)];
+            let before: &Cell<Option<f64>> = &sunk[usize::from(side == Side::Left)];
             let guess = before.get().unwrap_or_else(|| loaded.guess());
-            let (found, patches) = loaded.on(resolution.elements, guess)?;
-            before.set(Some(found));
+            let (down, patches) = loaded.on(resolution.elements, guess)?;
+            before.set(Some(down));
             Ok::<f64, ContactError>(
                 patches.iter().map(|patch| about_the_axle(&loaded, patch)).sum(),
             )

@@ -6,16 +6,14 @@ use rayon::prelude::*;
 
 use super::worn_profile::{Before, Lost, Strip};
 use super::{Journey, OperatingPoint, WearError, Worn};
-use crate::contact::{
-    self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution, Sunk, Wear,
-};
+use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution, Wear};
 use crate::setup::{Setup, Side};
 
 /// What each point of the wheel and of the rail loses over the whole distance, for each side.
 pub(super) type Rates = Vec<[Lost; 2]>;
 
-/// How far wheels went down at each point of the route and each side, to begin with the next time.
-pub(super) type Depths = Vec<Vec<Option<Sunk>>>;
+/// How far (m) wheels went down at each point of the route and each side, to begin with the next time.
+pub(super) type Depths = Vec<Vec<Option<f64>>>;
 
 /// What is lost at a point of the route, on each side, and how far what is borne is off the load, relative to it.
 type AtPoint = (Vec<Strips>, f64);
@@ -122,7 +120,7 @@ impl Journey {
         &self,
         (setups, before): (&[Setup], &[[Before; 2]]),
         point: &OperatingPoint,
-        depths: &mut [Option<Sunk>],
+        depths: &mut [Option<f64>],
     ) -> Result<AtPoint, ContactError> {
         let both = Side::both(&self.sides, setups);
         let bodies = point.between(&self.bodies);
@@ -132,8 +130,8 @@ impl Journey {
             let operation = operation.of_side(self.sides[at]);
             let loaded = Loaded::new(setup, &bodies, &operation, &self.resolution)?;
             let guess = depths[at].unwrap_or_else(|| loaded.guess());
-            let (sunk, patches) = loaded.on(self.resolution.elements, guess)?;
-            depths[at] = Some(sunk);
+            let (down, patches) = loaded.on(self.resolution.elements, guess)?;
+            depths[at] = Some(down);
             off = off.max(loaded.off(&patches));
             let mut strips = Strips::default();
             for patch in &patches {
