@@ -3,7 +3,8 @@
 //! The wheel is a rigid body. Its point Q at the contact moves with v = v0 + w x (Q - C), v0 the velocity of the middle C
 //! of the axle and w the rotation. The rolling speed is V = (|v0| + |w x (Q - C)|)/2. In the frame of the contact the
 //! creepages are xi = -v_x/V and eta = -v_s/V, the spin creepage is phi = -w_n/V. Q lies on the undeformed wheel: below the
-//! reference point by the overlap along the normal. Without that, xi would be off by the overlap over the radius.
+//! reference point by the overlap along the normal. Without that, xi would be off by the overlap over the radius. On a roller the velocity
+//! of its surface takes the place of -v0 along the track, and its rotation is taken from w.
 
 use glam::DVec3;
 
@@ -33,10 +34,14 @@ impl Creepage {
         let centre = search.setup().centre(attitude, patch.height);
         let frame = patch.frame();
         let rotation = velocity.rotation(attitude);
-        let turning = rotation.cross(patch.reference + frame.z_axis * approach - centre);
-        let speed = 0.5 * (velocity.translation().length() + turning.length());
-        let DVec3 { x, y, .. } = frame.transpose() * (velocity.translation() + turning);
-        let spin = -frame.z_axis.dot(rotation) / speed;
+        let point = patch.reference + frame.z_axis * approach;
+        let turning = rotation.cross(point - centre);
+        // Over a straight rail that passes backwards below it the wheelset itself goes no way forwards.
+        let [rail, turns] = search.setup().roller().moves(point, velocity.forward);
+        let over = velocity.translation() - DVec3::X * velocity.forward - rail;
+        let speed = 0.5 * (over.length() + turning.length());
+        let DVec3 { x, y, .. } = frame.transpose() * (over + turning);
+        let spin = -frame.z_axis.dot(rotation - turns) / speed;
         Self { longitudinal: -x / speed, lateral: -y / speed, spin, speed }
     }
 

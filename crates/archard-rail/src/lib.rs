@@ -21,7 +21,7 @@
 //!
 //! let steel = Material::new(210e9, 0.28)?;
 //! let friction = Arc::new(Coulomb::new(0.3)?);
-//! let bodies = Bodies { wheel: steel, rail: steel, friction, flange: None, wear: [None, None], flange_wear: None, shear_yield: 800e6 };
+//! let bodies = Bodies { wheel: steel, rail: steel, thermal: [None, None], friction, flange: None, wear: [None, None], flange_wear: None, shear_yield: 800e6 };
 //! let operation = Operation {
 //!     attitude: Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 },
 //!     velocity: Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() },
@@ -64,6 +64,7 @@ pub mod profile;
 mod roots;
 pub mod search;
 pub mod setup;
+mod sorted;
 pub mod standard;
 pub mod wear;
 

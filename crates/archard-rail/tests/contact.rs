@@ -72,6 +72,7 @@ fn eight_shifts_bear_the_same() {
     let bodies = Bodies {
         wheel: steel,
         rail: steel,
+        thermal: [None, None],
         friction,
         flange: None,
         wear: [None, None],
@@ -120,6 +121,7 @@ fn the_wheelset_rolls_until_both_wheels_carry() {
     let bodies = Bodies {
         wheel: steel,
         rail: steel,
+        thermal: [None, None],
         friction,
         flange: None,
         wear: [None, None],

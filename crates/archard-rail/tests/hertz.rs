@@ -43,6 +43,7 @@ fn bodies(coefficient: f64) -> Bodies {
     Bodies {
         wheel: steel,
         rail: steel,
+        thermal: [None, None],
         friction,
         flange: None,
         wear: [None, None],
@@ -226,6 +227,7 @@ fn a_groove_slips_but_for_two_lines() {
         let bodies = Bodies {
             wheel: steel,
             rail: steel,
+            thermal: [None, None],
             friction,
             flange: None,
             wear,

@@ -35,6 +35,7 @@ fn bodies(wears: [bool; 2]) -> Bodies {
     Bodies {
         wheel: steel,
         rail: steel,
+        thermal: [None, None],
         friction: friction(),
         flange: None,
         wear,

@@ -1,10 +1,9 @@
 //! The results of a wheel on a rail: a row for each patch of contact.
 
-use std::f64::consts::PI;
-
 use serde_json::{Value, json};
 
 use super::folder::CHECKPOINT;
+use super::rail_errors::stated;
 use super::rail_wear::{RailWear, rail_wear_files, rail_wear_json, write_rail_wear};
 use super::summary::json_of;
 use super::table::{Table, number};
@@ -129,9 +128,8 @@ impl RailContact {
     /// Lateral force against the flange (Y) and vertical force (Q) of all patches (N).
     pub fn forces(&self) -> [f64; 2] {
         let of_patch = |patch: &Patch| {
-            let (sin, cos) = patch.values.contact_angle.sin_cos();
-            let (normal, across) = (patch.values.normal_force, patch.values.force_s);
-            [across * cos - normal * sin, normal * cos + across * sin]
+            let [_, across, down] = patch.force();
+            [across, down]
         };
         let sum = |sum: [f64; 2], own: [f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
         self.patches.iter().map(of_patch).fold([0.0; 2], sum)
@@ -213,15 +211,18 @@ pub fn rail_files(
 
 /// The map of a patch for ParaView, over x and s from its reference point.
 fn image(patch: &Patch) -> Image {
-    let PatchMap { origin, spacing, elements, pressure, traction, slip } = patch.map.clone();
+    let PatchMap { origin, spacing, elements, pressure, traction, slip, rise } = patch.map.clone();
     let ([traction_x, traction_s], [slip_x, slip_s]) = (traction, slip);
-    let fields = vec![
+    let mut fields = vec![
         Field::new("pressure_Pa", pressure),
         Field::new("traction_x_Pa", traction_x),
         Field::new("traction_s_Pa", traction_s),
         Field::new("slip_x", slip_x),
         Field::new("slip_s", slip_s),
     ];
+    if !rise.is_empty() {
+        fields.push(Field::new("temperature_rise_K", rise));
+    }
     Image { origin, spacing, elements, fields }
 }
 
@@ -254,6 +255,8 @@ fn rail_verdict(results: &RailResults) -> Verdict {
         .map(|(_, patch)| patch.values.creepage.hypot(patch.values.lateral_creepage));
     lines.extend(creeps.max_by(f64::total_cmp).map(verdict::creepage));
     lines.extend(stated(contacts));
+    let slowest = patches(contacts).filter_map(|(_, patch)| Some(patch.warmth?.peclet));
+    lines.extend(slowest.min_by(f64::total_cmp).map(verdict::heat));
     let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
     let climbs = contacts.iter().flat_map(|contact| {
@@ -289,41 +292,8 @@ pub fn farthest(contacts: &[RailContact]) -> Option<(&RailContact, f64)> {
     off.max_by(|one, other| one.1.total_cmp(&other.1))
 }
 
-/// The largest stated error of all patches, relative: of pressures and areas to themselves, of forces to the force on their
-/// contact, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
-fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
-    let relative = |(contact, patch): (&RailContact, &Patch)| {
-        let (values, errors) = (&patch.values, &patch.errors);
-        let width = values.contact_area.sqrt();
-        [
-            ("peak_pressure_Pa", errors.peak_pressure / values.peak_pressure),
-            ("contact_area_m2", errors.contact_area / values.contact_area),
-            ("normal_force_N", errors.normal_force / contact.load),
-            ("force_x_N", errors.force_x / contact.load),
-            ("force_s_N", errors.force_s / contact.load),
-            ("y_rail_m", errors.y_rail / width),
-            ("y_wheel_m", errors.y_wheel / width),
-        ]
-    };
-    let slipping = |(_, patch): (&RailContact, &Patch)| {
-        let (values, errors) = (&patch.values, &patch.errors);
-        let radius = (values.contact_area / PI).sqrt();
-        let slip = values.creepage.hypot(values.lateral_creepage).hypot(radius * values.spin);
-        let creepages = [
-            ("creepage", errors.creepage / slip),
-            ("lateral_creepage", errors.lateral_creepage / slip),
-            ("spin_1_per_m", radius * errors.spin / slip),
-        ];
-        // A wheel that stands has no creepages.
-        creepages.into_iter().filter(move |_| slip > 0.0)
-    };
-    let all = patches(contacts).flat_map(relative).chain(patches(contacts).flat_map(slipping));
-    let worst = all.max_by(|one, other| one.1.total_cmp(&other.1));
-    worst.map(|(column, error)| verdict::stated(error, column))
-}
-
 /// The patches of all sides.
-fn patches(contacts: &[RailContact]) -> impl Iterator<Item = (&RailContact, &Patch)> {
+pub(super) fn patches(contacts: &[RailContact]) -> impl Iterator<Item = (&RailContact, &Patch)> {
     contacts.iter().flat_map(|contact| contact.patches.iter().map(move |patch| (contact, patch)))
 }
 
@@ -334,7 +304,13 @@ pub fn contact_row(patch: &Patch) -> Vec<(String, f64)> {
     let values = values.map(|(name, value)| ((*name).to_owned(), value));
     let errors = names.zip(patch.errors.values());
     let errors = errors.map(|(name, error)| (format!("error_of_{name}"), error));
-    values.chain([("angle_spread_rad".to_owned(), patch.angle_spread)]).chain(errors).collect()
+    let warmth = patch.warmth.iter().flat_map(|warmth| {
+        let [rise, error] = warmth.rise;
+        [("temperature_rise_K", rise), ("error_of_temperature_rise_K", error)]
+            .map(|(name, value)| (name.to_owned(), value))
+    });
+    let spread = [("angle_spread_rad".to_owned(), patch.angle_spread)];
+    values.chain(spread).chain(errors).chain(warmth).collect()
 }
 
 fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {

@@ -56,6 +56,7 @@ mod manifest;
 mod names;
 mod place;
 mod planes;
+mod rail_errors;
 mod rail_service;
 mod rail_wear;
 mod sections;

@@ -191,7 +191,8 @@ fn wrong_cracks_and_turnings_are_refused_in_words() {
     }
 }
 
-/// A flange has a wear law of its own where it is said where it begins; laws that ask for temperature have none on rails.
+/// A flange has a wear law of its own where it is said where it begins; laws that ask for temperature need to know of the heat of
+/// both bodies.
 #[test]
 fn a_flange_may_wear_by_its_own_law() {
     let far = "motion.wheel_rail.distance=10 m";
@@ -213,13 +214,32 @@ fn a_flange_may_wear_by_its_own_law() {
         "body.wheel.wear.expression.t=300 K",
         far,
     ];
+    let heats = [
+        "body.wheel.thermal.conductivity=50 W/(m K)",
+        "body.wheel.thermal.diffusivity=13 mm^2/s",
+        "body.wheel.thermal.temperature=20 degC",
+        "body.rail.thermal.conductivity=50 W/(m K)",
+        "body.rail.thermal.diffusivity=13 mm^2/s",
+        "body.rail.thermal.temperature=20 degC",
+    ];
+    let case = resolve(MANCHESTER, &[&warm[..], &heats[..]].concat()).expect("a warm case").case;
+    assert_eq!(resolve(&case.to_string(), &[]).expect("what was printed").case, case);
     let rail = "body.rail.flange_wear.archard.coefficient=2e-13 1/Pa";
     for (options, expected) in [
         (vec![WEARS, far, own], ["motion.wheel_rail.flange_from", "where the flange begins"]),
         (vec![WEARS, far, from], ["motion.wheel_rail.flange_from", "counts for nothing"]),
         (vec![own, from], ["body.wheel.flange_wear", "has no `wear`"]),
         (vec![WEARS, far, rail, from], ["body.rail.flange_wear", "has no `wear`"]),
-        (warm.to_vec(), ["body.wheel.wear", "not computed of wheels on rails"]),
+        (warm.to_vec(), ["body.wheel.thermal", "share that of friction"]),
+        ([&warm[..], &heats[..3]].concat(), ["body.rail.thermal", "share that of friction"]),
+        (
+            [&warm[..], &heats[..], &["body.rail.thermal.share=0.5"]].concat(),
+            ["body.rail.thermal.share", "follows from"],
+        ),
+        (
+            [&warm[..], &heats[..2], &heats[3..5]].concat(),
+            ["body.wheel.thermal.temperature", "away from the contact"],
+        ),
     ] {
         let said = resolve(MANCHESTER, &options).err();
         let said = said.unwrap_or_else(|| panic!("{options:?} passes"));

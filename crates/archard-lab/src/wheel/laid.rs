@@ -252,6 +252,7 @@ mod tests {
             bodies: Bodies {
                 wheel: steel,
                 rail: steel,
+                thermal: [None, None],
                 friction: friction.clone(),
                 flange: None,
                 wear: [Some(Arc::new(Archard::new(3e-15).unwrap())), None],

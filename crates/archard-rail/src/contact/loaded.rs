@@ -4,7 +4,7 @@ use archard::body::contact_modulus;
 use archard::parameters::Invalid;
 
 use super::pressed::{Pressed, Site};
-use super::{Bodies, ContactError, Operation, Quantities, Resolution, apart, height};
+use super::{Bodies, ContactError, Operation, Quantities, Resolution, apart, counterpart, height};
 use crate::bounds;
 use crate::search::Search;
 use crate::setup::Setup;
@@ -49,29 +49,47 @@ impl<'a> Loaded<'a> {
     /// How far (m) it goes down from where it begins to touch, nearly: as a ball of its radius sinks into a plane.
     pub fn guess(&self) -> f64 {
         let modulus = contact_modulus([Some(&self.bodies.wheel), Some(&self.bodies.rail)]);
-        let radius = self.search.setup().wheelset().nominal_radius;
+        let setup = self.search.setup();
+        let radius =
+            (setup.wheelset().nominal_radius.recip() + setup.roller().curvature(0.0)).recip();
         let force = 4.0 / 3.0 * modulus * radius.sqrt();
         (self.operation.load / force).cbrt().powi(2)
     }
 
     /// How far (m) it goes down until its contacts bear the load, on so many elements and from a guess (m), and the patches.
     pub fn on(&self, elements: usize, guess: f64) -> Result<(f64, Vec<Pressed>), ContactError> {
-        let Self { search, bodies, operation, .. } = self;
         let bears = |height: f64| {
-            let patches = search.patches(height, self.resolution.join)?.into_iter();
-            let sites = patches.map(|patch| Site::new(search, patch, elements));
-            let sites = sites.collect::<Result<Vec<Site>, _>>()?;
-            let apart = apart::by_the_others(&sites, bodies)?;
-            let with = (*operation, *bodies, self.resolution.curved);
-            let sites = sites.into_iter().zip(apart);
-            let patches = sites.map(|(site, apart)| site.press(search, with, apart));
-            let patches = patches.collect::<Result<Vec<Pressed>, _>>()?;
+            let patches = self.at(elements, height)?;
             let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
             Ok((patches, borne))
         };
         let guess = self.onset + guess;
-        let (height, patches) = height::find(operation.load, self.onset, guess, bears)?;
+        let (height, patches) = height::find(self.operation.load, self.onset, guess, bears)?;
         Ok((height - self.onset, patches))
+    }
+
+    /// The patches on so many elements with the wheel at that height (m).
+    pub fn at(&self, elements: usize, height: f64) -> Result<Vec<Pressed>, ContactError> {
+        let Self { search, bodies, operation, .. } = self;
+        let patches = search.patches(height, self.resolution.join)?.into_iter();
+        let sites = patches.map(|patch| Site::new(search, patch, elements));
+        let sites = sites.collect::<Result<Vec<Site>, _>>()?;
+        let apart = apart::by_the_others(&sites, bodies)?;
+        let with = (*operation, *bodies, self.resolution.curved);
+        let sites = sites.into_iter().zip(apart);
+        sites.map(|(site, apart)| site.press(search, with, apart)).collect()
+    }
+
+    /// The height (m) of the wheelset so far (m) below where it begins to touch.
+    pub fn height(&self, down: f64) -> f64 {
+        self.onset + down
+    }
+
+    /// The same patch among those of another grid with the wheel at that height (m).
+    pub fn counterpart(&self, pressed: &Pressed, grid: &[Pressed], height: f64) -> Pressed {
+        counterpart::on(grid, pressed).cloned().unwrap_or_else(|| {
+            Pressed::missed(&self.search, &pressed.patch, height, self.operation)
+        })
     }
 
     /// How far what patches bear is off the load, relative to it: it may jump over the load.
@@ -87,7 +105,12 @@ impl<'a> Loaded<'a> {
             onset: self.onset,
             z_wheel: patch.height,
             y_track: patch.reference.y,
-            y_rail: self.search.setup().placing().in_rail(patch.reference).y,
+            y_rail: self
+                .search
+                .setup()
+                .placing()
+                .in_rail(patch.reference.with_z(patch.on_profile))
+                .y,
             y_wheel: self.search.in_wheel(patch.reference, patch.height).y,
             contact_angle: patch.angle,
             creepage: creepage.longitudinal,

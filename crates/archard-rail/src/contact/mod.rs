@@ -8,10 +8,13 @@
 //!
 //! All of it is solved on three grids, each of elements half the size of those before. Errors of rolling contact are of
 //! first order or higher in the size, so that a halving changes a value by what is left after it, or by more. The error that is
-//! told is the last change, or half the one before where that is larger, and the share of the load that is not met. It holds for the grid, not for the
+//! told is the last change, or half the one before where that is larger, and the share of the load that is not met. A patch that a coarser
+//! grid misses bears nothing there: all of it is its change, or what it bears more with the wheel lower by the error of its height,
+//! where that is larger. It holds for the grid, not for the
 //! profiles, nor for the plane: [`Patch::angle_spread`] says how far a patch bends. The onset depends on no grid.
 
 mod apart;
+mod counterpart;
 mod error;
 mod height;
 mod lattice;
@@ -34,7 +37,10 @@ pub use sampled::{GROUPS, sampled};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use glam::{DMat3, DVec3};
+
 use archard::Material;
+use archard::body::Thermal;
 use archard::friction::Friction;
 use archard::wear::{Input, WearLaw};
 
@@ -52,6 +58,8 @@ pub struct Bodies {
     pub wheel: Material,
     /// Of the rail.
     pub rail: Material,
+    /// How the wheel and the rail conduct heat, and how warm they are; `None` where nobody asks for their temperature.
+    pub thermal: [Option<Thermal>; 2],
     /// Between both.
     pub friction: Arc<dyn Friction>,
     /// Between both on the flange, where it differs, as where that is lubricated.
@@ -177,13 +185,35 @@ impl Default for Resolution {
 pub struct Patch {
     /// What is known of it.
     pub values: Quantities,
-    /// The error of each value, positive; not a number where coarser grids have other patches.
+    /// The error of each value, positive: all of the value where coarser grids miss the patch, without a bound of its surface fatigue.
     pub errors: Quantities,
     /// How much the inclination of the rail (rad) differs within the contact: beyond [`BENT`] its plane is an
     /// approximation.
     pub angle_spread: f64,
     /// Pressures, tractions and slip.
     pub map: PatchMap,
+    /// How friction warms it; `None` where wheel and rail do not say how they conduct heat.
+    pub warmth: Option<Warmth>,
+    /// The turn (rad) about the axis of a roller, before that by the contact angle; 0 of a straight rail.
+    pub turn: f64,
+}
+
+/// How friction warms the surfaces of a patch (M. Ertz and K. Knothe, *Wear* 253 (2002) 498).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Warmth {
+    /// The largest rise (K) above the temperature of the bodies, and its error.
+    pub rise: [f64; 2],
+    /// Peclet number of its longest row: below 5 rises are too high.
+    pub peclet: f64,
+}
+
+impl Patch {
+    /// The force (N) on the rail: forward, to the field side and downwards in the track.
+    pub fn force(&self) -> [f64; 3] {
+        let Quantities { force_x, force_s, normal_force, contact_angle, .. } = self.values;
+        let frame = DMat3::from_rotation_y(self.turn) * DMat3::from_rotation_x(contact_angle);
+        (frame * DVec3::new(force_x, force_s, normal_force)).to_array()
+    }
 }
 
 /// The patches of contact of a wheel under its load, from the field side to the flange.
@@ -204,30 +234,66 @@ pub fn contact(
     for elements in [elements / 4, elements / 2, elements] {
         let (down, pressed) = loaded.on(elements, guess)?;
         guess = down;
-        grids.push(pressed);
+        grids.push((pressed, loaded.height(down)));
     }
-    let told = |pressed: &Pressed| loaded.tell(pressed);
-    let off = loaded.off(&grids[2]);
-    let patches = grids[2].iter().enumerate().filter(|(_, pressed)| pressed.normal > 0.0);
-    let patches = patches.map(|(at, pressed)| {
-        let same = grids.iter().all(|grid| grid.len() == grids[2].len());
-        let [coarse, middle, fine] = [0, 1, 2].map(|grid| {
-            if same {
-                told(&grids[grid][at])
-            } else {
-                told(pressed).with(&told(pressed), |_, _| f64::NAN)
-            }
-        });
-        let [before, last] = [(coarse, middle), (middle, fine)]
-            .map(|(coarse, fine)| fine.with(&coarse, |fine, coarse| (fine - coarse).abs()));
-        let errors =
-            last.with(
-                &before,
-                |last, before| if before.is_nan() { before } else { last.max(0.5 * before) },
-            );
-        let values = told(pressed);
+    let finest = || grids[2].0.iter().filter(|pressed| pressed.normal > 0.0);
+    let bears = |grid: &[Pressed], pressed: &Pressed| {
+        counterpart::on(grid, pressed).is_some_and(|one| one.normal > 0.0)
+    };
+    let missed = |pressed: &Pressed| grids[..2].iter().any(|(patches, _)| !bears(patches, pressed));
+    // What a patch that coarser grids miss may bear more, with the wheel lower by the error of its height, the others bear less.
+    let lower = match finest().any(missed) {
+        true => {
+            loaded.at(elements, grids[2].1 + last_change([0, 1, 2].map(|grid| grids[grid].1)))?
+        }
+        false => vec![],
+    };
+    let more = |pressed: &Pressed| {
+        let lower = counterpart::on(&lower, pressed).filter(|_| missed(pressed))?;
+        Some(loaded.tell(lower).with(&loaded.tell(pressed), |lower, own| (lower - own).abs()))
+    };
+    let moved: f64 = finest().filter_map(more).map(|more| more.normal_force).sum();
+    let off = loaded.off(&grids[2].0) + moved / operation.load;
+    let patches = finest().map(|pressed| {
+        let values = loaded.tell(pressed);
+        let on = |grid: usize| {
+            let (patches, height) = &grids[grid];
+            loaded.tell(&loaded.counterpart(pressed, patches, *height))
+        };
+        let [coarse, middle] = [on(0), on(1)];
+        let change = |fine: &Quantities, coarse: &Quantities| {
+            // The index of a patch that bears nothing is no number: it falls without a bound as the pressure goes.
+            fine.with(coarse, |fine, coarse| match (fine - coarse).abs() {
+                change if change.is_nan() => f64::INFINITY,
+                change => change,
+            })
+        };
+        let errors = change(&values, &middle)
+            .with(&change(&middle, &coarse), |last, before| last.max(0.5 * before));
+        let errors = more(pressed).map_or(errors, |more| errors.with(&more, f64::max));
         let errors = errors.with(&values, |error, value| error + off * value.abs());
-        Patch { values, errors, angle_spread: pressed.angle_spread, map: pressed.map.clone() }
+        let warmth = pressed.flash.map(|[rise, peclet]| {
+            let on = |grid: usize| {
+                let (patches, height) = &grids[grid];
+                let [rise, _] =
+                    loaded.counterpart(pressed, patches, *height).flash.unwrap_or_default();
+                rise
+            };
+            Warmth { rise: [rise, last_change([on(0), on(1), rise])], peclet }
+        });
+        Patch {
+            warmth,
+            values,
+            errors,
+            angle_spread: pressed.angle_spread,
+            map: pressed.map.clone(),
+            turn: pressed.patch.turn,
+        }
     });
     Ok(patches.collect())
+}
+
+/// The error of a value on three grids: its last change, or half the one before where that is larger.
+fn last_change([coarse, middle, fine]: [f64; 3]) -> f64 {
+    (fine - middle).abs().max(0.5 * (middle - coarse).abs())
 }

@@ -4,7 +4,7 @@
 //! contact and F the force on the wheel there. A moment that drives holds the balance. The faster the wheelset turns the more
 //! the contacts resist, until all of them slip.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use glam::DVec3;
 
@@ -34,13 +34,18 @@ pub fn pitch(
     let moment = bounds::finite("axle_moment", moment)?;
     let rolls = -operation.velocity.forward / right.wheelset().nominal_radius;
     let rate = |share: f64| rolls * (1.0 + share);
+    // Wheels that turn at another rate stand nearly as high.
+    let sunk = [Cell::new(None), Cell::new(None)];
     let resists = |share: f64| {
         let velocity = Velocity { pitch: rate(share), ..operation.velocity };
         let turning = Operation { velocity, ..*operation };
         let of = |(setup, side): (&Setup, Side)| {
             let own = turning.of_side(side);
             let loaded = Loaded::new(setup, bodies, &own, resolution)?;
-            let (_, patches) = loaded.on(resolution.elements, loaded.guess())?;
+            let before: &Cell<Option<f64>> = &sunk[usize::from(side == Side::Left)];
+            let guess = before.get().unwrap_or_else(|| loaded.guess());
+            let (down, patches) = loaded.on(resolution.elements, guess)?;
+            before.set(Some(down));
             Ok::<f64, ContactError>(
                 patches.iter().map(|patch| about_the_axle(&loaded, patch)).sum(),
             )

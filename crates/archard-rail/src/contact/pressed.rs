@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
@@ -33,12 +35,42 @@ pub(crate) struct Pressed {
     pub peak: f64,
     pub area: f64,
     pub power: f64,
+    /// The largest rise (K) of the temperature, and the Peclet number; `None` where nothing is known of heat, or nothing rubs.
+    pub flash: Option<[f64; 2]>,
     /// How much the inclination of the rail (rad) differs within the contact.
     pub angle_spread: f64,
     /// What it was read off, where bodies wear: lines across s wear at each passage.
     pub contact: Option<Arc<Contact>>,
     /// What is known of each element.
     pub map: PatchMap,
+}
+
+impl Pressed {
+    /// A patch that bears nothing.
+    fn light(patch: Patch, creepage: Creepage) -> Self {
+        Self {
+            patch,
+            creepage,
+            approach: 0.0,
+            normal: 0.0,
+            tangential: [0.0; 2],
+            moment: 0.0,
+            peak: 0.0,
+            area: 0.0,
+            power: 0.0,
+            flash: None,
+            angle_spread: 0.0,
+            contact: None,
+            map: PatchMap::default(),
+        }
+    }
+
+    /// A patch that the wheel at that height (m) misses: it bears nothing, at the place that touches first.
+    pub fn missed(search: &Search<'_>, patch: &Patch, height: f64, operation: &Operation) -> Self {
+        let patch = search.first_of(patch, height);
+        let creepage = Creepage::new(search, &patch, &operation.velocity, 0.0);
+        Self::light(patch, creepage.prescribed(operation.creepages[0]))
+    }
 }
 
 /// What is known of the elements of a patch, one value each, those along x first: x from the lowest, then s from the lowest.
@@ -56,6 +88,8 @@ pub struct PatchMap {
     pub traction: [Vec<f64>; 2],
     /// Slip of the wheel over the rail along x and s, relative to the rolling speed; zero where nothing touches.
     pub slip: [Vec<f64>; 2],
+    /// Rise (K) of the temperature of both surfaces above that of the bodies; empty where it is not known.
+    pub rise: Vec<f64>,
 }
 
 impl PatchMap {
@@ -90,7 +124,8 @@ fn parabola(places: &[(f64, f64, f64)]) -> f64 {
 impl Pressed {
     /// What it takes of the vertical load (N).
     pub fn vertical(&self) -> f64 {
-        self.normal * self.patch.angle.cos() + self.tangential[1] * self.patch.angle.sin()
+        let [x, s] = self.tangential;
+        (self.patch.frame() * DVec3::new(x, s, self.normal)).z
     }
 }
 
@@ -122,7 +157,7 @@ impl Site {
         let creepage = Creepage::new(search, &self.patch, &operation.velocity, approach)
             .prescribed(operation.creepages[0]);
         if approach <= apart {
-            return Ok(self.light(creepage));
+            return Ok(Pressed::light(self.patch, creepage));
         }
         let rolling = Rolling::along(Direction::X)
             .longitudinal(Drive::Slip(creepage.longitudinal))
@@ -149,6 +184,7 @@ impl Site {
             field.iter().zip(&state.pressure).map(value).collect::<Vec<f64>>()
         };
         let none = || [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+        let flash = problem.flash(state);
         let map = PatchMap {
             origin: frame.rectangle().corner(),
             spacing,
@@ -160,6 +196,7 @@ impl Site {
             slip: tangential.map_or_else(none, |of| {
                 of.slip.each_ref().map(|one| touching(one, -1.0 / spacing[0]))
             }),
+            rise: flash.as_ref().map_or_else(Vec::new, |flash| flash.rise.clone()),
         };
         Ok(Pressed {
             map,
@@ -170,6 +207,9 @@ impl Site {
             peak: contact.peak_pressure(),
             area: contact.area(),
             power: tangential.map_or(0.0, |of| of.creep_power(problem, &drives) * creepage.speed),
+            flash: flash.and_then(|flash| {
+                Some([flash.rise.into_iter().fold(0.0, f64::max), flash.peclet?])
+            }),
             angle_spread,
             contact: wears.then(|| contact.clone()),
             patch: self.patch,
@@ -178,22 +218,23 @@ impl Site {
     }
 
     /// What the creepage gains with the square of s (1/m^2), as the surface between wheel and rail leaves the tangent plane: a point that
-    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more. The curvature is that of the parabola
+    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more, on a roller dz over its radius, too. The curvature is that of the parabola
     /// nearest to the surface, weighted by the overlap.
     fn bow(&self, search: &Search<'_>) -> f64 {
-        let (sin, cos) = self.patch.angle.sin_cos();
+        let cos = self.patch.angle.cos();
         let reference = self.patch.reference;
         let [columns, rows] = self.lattice.elements;
         let place = |row: usize| {
             let overlap = self.lattice.overlap(columns / 2 + columns * row);
-            let [y, z] = search.on_rail(reference.y + self.lattice.across(row) * cos)?;
-            let (y, z) = (y - reference.y, z - reference.z);
-            let (s, below) = (y * cos + z * sin, z * cos - y * sin);
+            let place = search.on_rail(reference.y + self.lattice.across(row) * cos)?;
+            let [s, below] = self.patch.in_the_plane(place);
             // Halfway between both.
             (overlap > 0.0).then_some((overlap, s, below + 0.5 * overlap))
         };
         let places: Vec<(f64, f64, f64)> = (0..rows).filter_map(place).collect();
-        parabola(&places) * cos / search.setup().wheelset().nominal_radius
+        let setup = search.setup();
+        let rail = setup.roller().curvature(self.patch.on_profile);
+        parabola(&places) * cos * (setup.wheelset().nominal_radius.recip() + rail)
     }
 
     /// How much the inclination of the rail (rad) differs over the rows in contact, which may not reach the end of a profile.
@@ -216,24 +257,6 @@ impl Site {
         Ok((most - least).max(0.0))
     }
 
-    /// The patch where it bears nothing.
-    fn light(self, creepage: Creepage) -> Pressed {
-        Pressed {
-            patch: self.patch,
-            creepage,
-            approach: 0.0,
-            normal: 0.0,
-            tangential: [0.0; 2],
-            moment: 0.0,
-            peak: 0.0,
-            area: 0.0,
-            power: 0.0,
-            angle_spread: 0.0,
-            contact: None,
-            map: PatchMap::default(),
-        }
-    }
-
     fn contact(
         &self,
         rolling: Rolling,
@@ -247,6 +270,7 @@ impl Site {
         let mut wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
         let mut rail = Body::new("rail", Flat).material(bodies.rail);
         [wheel.wear, rail.wear] = wear.clone();
+        [wheel.thermal, rail.thermal] = bodies.thermal;
         let rolls = Contact::rolling([wheel, rail], rolling, Control::Approach(approach));
         Ok(rolls.map_err(Refused::from)?.contact(frame, compliance))
     }

@@ -4,8 +4,10 @@
 //! of the curve by a part of (spacing/radius)^2/24. A corner of more than [`Smoothing::corner`] stays a corner, if no
 //! other is near: the splines end there and begin anew.
 
+mod meeting;
 mod spline;
 
+use crate::sorted::Sorted;
 use archard::parameters::Invalid;
 
 /// How a curve follows the points.
@@ -55,7 +57,7 @@ type Cubic = [[f64; 2]; 4];
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     /// Lengths (m) along the polygon at the nodes, rising from 0.
-    nodes: Vec<f64>,
+    nodes: Sorted,
     /// A cubic for each pair of neighbouring nodes.
     cubics: Vec<Cubic>,
 }
@@ -87,17 +89,17 @@ impl Curve {
                 spline::cubics(&nodes[range.clone()], &points[range], smoothing.wavelength)
             })
             .collect();
-        Ok(Self { nodes, cubics })
+        Ok(Self { nodes: Sorted::new(nodes), cubics })
     }
 
     /// The length (m) along the polygon: places go from 0 to here.
     pub fn length(&self) -> f64 {
-        self.nodes[self.nodes.len() - 1]
+        self.nodes().last().copied().unwrap_or_default()
     }
 
     /// The lengths (m) along the polygon at the points, rising.
     pub fn nodes(&self) -> &[f64] {
-        &self.nodes
+        self.nodes.values()
     }
 
     /// The point (y and z, m) at that length (m) along the polygon; beyond an end, the point on the extension of the
@@ -115,7 +117,7 @@ impl Curve {
         let slope = [0, 1]
             .map(|axis| cubic[1][axis] + d * (2.0 * cubic[2][axis] + d * 3.0 * cubic[3][axis]));
         let bend = [0, 1].map(|axis| 2.0 * cubic[2][axis] + 6.0 * d * cubic[3][axis]);
-        let speed = slope[0].hypot(slope[1]).max(f64::MIN_POSITIVE);
+        let speed = (slope[0] * slope[0] + slope[1] * slope[1]).sqrt().max(f64::MIN_POSITIVE);
         Place {
             point: self.point(along),
             tangent: slope.map(|value| value / speed),
@@ -137,7 +139,7 @@ impl Curve {
     /// Lengths (m) along the polygon that hold every node and lie no farther apart than `step` (m).
     pub(crate) fn samples(&self, step: f64) -> Vec<f64> {
         let mut all = vec![0.0];
-        for pair in self.nodes.windows(2) {
+        for pair in self.nodes().windows(2) {
             let width = pair[1] - pair[0];
             let parts = (width / step).ceil().clamp(1.0, 1e4) as usize;
             all.extend((1..=parts).map(|part| pair[0] + width * part as f64 / parts as f64));
@@ -152,9 +154,8 @@ impl Curve {
     }
 
     fn piece(&self, along: f64) -> (&Cubic, f64) {
-        let after = self.nodes.partition_point(|&node| node <= along);
-        let piece = after.clamp(1, self.cubics.len()) - 1;
-        (&self.cubics[piece], along - self.nodes[piece])
+        let piece = self.nodes.up_to(along).clamp(1, self.cubics.len()) - 1;
+        (&self.cubics[piece], along - self.nodes()[piece])
     }
 }
 

@@ -16,7 +16,6 @@ pub(crate) use roll::SETTLED;
 
 use glam::{DMat3, DVec3};
 
-use crate::curve::{Curve, Place};
 use crate::roots;
 use crate::setup::{Attitude, Setup};
 use archard::parameters::Invalid;
@@ -28,12 +27,15 @@ pub const STEP: f64 = 5e-5;
 /// the rounding of any.
 const COARSE: f64 = 4e-4;
 
+/// Turns in which a place on a roller is found: each leaves the square of the angles of yaw and roll, which are below a quarter of pi.
+const TURNS: usize = 60;
+
 /// A point of the locus with the wheel at height 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Possible {
     /// Where it lies on the profile of the wheel (m along its curve).
     pub on_wheel: f64,
-    /// Where the rail has the same y (m along its curve).
+    /// Where the rail has the same y (m along its curve), above the axis of a roller.
     pub on_rail: f64,
     /// The point (m) in the track.
     pub point: DVec3,
@@ -56,7 +58,10 @@ pub struct Search<'a> {
     setup: &'a Setup,
     attitude: Attitude,
     rotation: DMat3,
-    top: Top,
+    /// Sine and cosine of the yaw.
+    yaw: [f64; 2],
+    /// The middle of the axle (m) with the wheel at height 0.
+    centre: DVec3,
     locus: Vec<Possible>,
 }
 
@@ -80,9 +85,15 @@ impl<'a> Search<'a> {
 
     fn by(setup: &'a Setup, attitude: Attitude, step: f64) -> Result<Self, Invalid> {
         let attitude = attitude.checked()?;
-        let top = Top::new(setup.rail());
-        let mut search =
-            Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
+        let (sin, cos) = attitude.yaw.sin_cos();
+        let mut search = Self {
+            setup,
+            attitude,
+            rotation: attitude.rotation(),
+            yaw: [sin, cos],
+            centre: setup.centre(&attitude, 0.0),
+            locus: vec![],
+        };
         let places = setup.wheel().samples_apart(step);
         search.locus = places.into_iter().filter_map(|along| search.possible(along)).collect();
         Ok(search)
@@ -124,13 +135,13 @@ impl<'a> Search<'a> {
     /// The point (y and z, m, in the track) of the top of the rail at that y (m), if it reaches there.
     pub(crate) fn on_rail(&self, y: f64) -> Option<[f64; 2]> {
         let rail = self.setup.rail();
-        Some(rail.point(self.top.below(rail, y)?))
+        Some(rail.point(self.setup.below(y)?))
     }
 
     /// The angle (rad) by which the top of the rail is turned about x at that y (m), if it reaches there.
     pub fn inclination(&self, y: f64) -> Option<f64> {
         let rail = self.setup.rail();
-        let [along_y, along_z] = rail.place(self.top.below(rail, y)?).tangent;
+        let [along_y, along_z] = rail.place(self.setup.below(y)?).tangent;
         Some(along_z.atan2(along_y))
     }
 
@@ -151,18 +162,39 @@ impl<'a> Search<'a> {
     /// The point of the locus at a place on the wheel.
     fn possible(&self, along: f64) -> Option<Possible> {
         let place = self.setup.wheel().place(along);
-        let point = self.facing(&place)?;
-        let on_rail = self.top.below(self.setup.rail(), point.y)?;
-        let gap = self.setup.rail().point(on_rail)[1] - point.z;
-        Some(Possible { on_wheel: along, on_rail, point, gap })
-    }
-
-    /// The point of the circle through a place of the profile whose normal has no part along x, at height 0.
-    fn facing(&self, place: &Place) -> Option<DVec3> {
         let [along_y, along_z] = place.tangent;
         // The wheel faces down where its profile runs towards -y.
-        let sin = -self.attitude.yaw.tan() * along_z / along_y;
-        (along_y < 0.0 && sin.abs() < 1.0).then(|| self.on_circle(place.point, sin))
+        let [sin, cos] = self.yaw;
+        let straight = -sin / cos * along_z / along_y;
+        if along_y >= 0.0 || straight.abs() >= 1.0 {
+            return None;
+        }
+        let seen = |point: DVec3| {
+            let on_rail = self.setup.below(point.y)?;
+            let rail = self.setup.roller().at(self.setup.rail().point(on_rail)[1], point.x)?;
+            Some((Possible { on_wheel: along, on_rail, point, gap: rail.z - point.z }, rail))
+        };
+        let (mut found, mut rail) = seen(self.on_circle(place.point, straight))?;
+        let Some(radius) = self.setup.roller().radius() else { return Some(found) };
+        // Where the rail rises and falls with x, the wheel has to: N_x = -slope N_z of its normal.
+        let mut at = straight;
+        let own = self.setup.wheelset().nominal_radius + place.point[1];
+        for _ in 0..TURNS {
+            let normal = self.rotation
+                * DVec3::new(-along_y * at, along_z, -along_y * (1.0 - at * at).sqrt());
+            let off = (normal.x + rail.slope * normal.z) / (-along_y * cos);
+            let next = at - off / (1.0 + own / radius);
+            if next.is_nan() || next.abs() >= 1.0 {
+                return None;
+            }
+            let change = (next - at).abs();
+            at = next;
+            (found, rail) = seen(self.on_circle(place.point, at))?;
+            if change <= f64::EPSILON {
+                break;
+            }
+        }
+        Some(found)
     }
 
     /// The point of the wheel's surface (m, in the track, at height 0) above a point of its profile, at the angle about
@@ -171,48 +203,17 @@ impl<'a> Search<'a> {
         let wheelset = self.setup.wheelset();
         let radius = wheelset.nominal_radius + z;
         let own = DVec3::new(radius * sin, wheelset.arm() + y, radius * (1.0 - sin * sin).sqrt());
-        self.rotation * own + self.setup.centre(&self.attitude, 0.0)
+        self.rotation * own + self.centre
     }
 
-    /// The sine of the angle about the axle at which the circle through a point of the profile passes the plane at that
-    /// x (m).
-    fn sine(&self, [y, z]: [f64; 2], x: f64) -> f64 {
+    /// The sine of the angle about the axle at which the circle through a point of the profile passes the plane of a normal (in the axes of
+    /// the wheelset) so far (m) from the middle of the axle; not a number where it does not.
+    fn sine(&self, [y, z]: [f64; 2], (normal, far): (DVec3, f64)) -> f64 {
         let wheelset = self.setup.wheelset();
-        let (sin, cos) = self.attitude.yaw.sin_cos();
-        (x + (wheelset.arm() + y) * sin) / ((wheelset.nominal_radius + z) * cos)
-    }
-}
-
-/// The stretch of the rail that can be seen from above.
-#[derive(Debug, Clone)]
-struct Top {
-    /// Lengths (m) along the curve, rising, at which y rises too.
-    places: Vec<f64>,
-    /// y (m) there.
-    across: Vec<f64>,
-}
-
-impl Top {
-    fn new(rail: &Curve) -> Self {
-        let places = rail.samples(1e-4);
-        let points: Vec<[f64; 2]> = places.iter().map(|&along| rail.point(along)).collect();
-        let highest = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1]));
-        let highest = highest.unwrap_or(0);
-        let rises = |at: usize| points[at + 1][0] > points[at][0];
-        let first = (0..highest).rev().find(|&at| !rises(at)).map_or(0, |at| at + 1);
-        let last = (highest..points.len() - 1).find(|&at| !rises(at)).unwrap_or(points.len() - 1);
-        let across = points[first..=last].iter().map(|point| point[0]).collect();
-        Self { places: places[first..=last].to_vec(), across }
-    }
-
-    /// Where the rail has that y (m along its curve), if it reaches there.
-    fn below(&self, rail: &Curve, y: f64) -> Option<f64> {
-        let after = self.across.partition_point(|&across| across <= y);
-        if after == 0 || after == self.across.len() {
-            return None;
-        }
-        Some(roots::zero(self.places[after - 1], self.places[after], |along| {
-            rail.point(along)[0] - y
-        }))
+        let radius = wheelset.nominal_radius + z;
+        let (a, b) = (normal.x * radius, normal.z * radius);
+        let c = far - normal.y * (wheelset.arm() + y);
+        let squares = a * a + b * b;
+        (c * a - b * (squares - c * c).sqrt()) / squares
     }
 }

@@ -15,6 +15,7 @@ use glam::{DMat3, DVec3};
 use super::{Possible, Search};
 use crate::bounds;
 use crate::roots;
+use crate::setup::Turned;
 use archard::parameters::Invalid;
 
 /// Points by which the means over a stretch are taken.
@@ -32,6 +33,10 @@ pub struct Patch {
     pub reference: DVec3,
     /// The contact angle (rad): the turn about x from the track to the frame of the contact; negative towards the flange.
     pub angle: f64,
+    /// The turn (rad) about the axis of a roller before that; 0 of a straight rail.
+    pub turn: f64,
+    /// z (m) of the profile of the rail at the reference point: as in the track, but for a turn.
+    pub on_profile: f64,
     /// Where the overlap begins and ends (m) along x, the reference point at 0: from the parabola of the wheel's circle.
     pub along: [f64; 2],
     /// Where the overlap begins and ends (m) along s, the reference point at 0.
@@ -52,7 +57,14 @@ impl Patch {
     /// The frame of the contact: its columns are x, s (to the field side along the surfaces) and n (into the rail), in
     /// the axes of the track.
     pub fn frame(&self) -> DMat3 {
-        DMat3::from_rotation_x(self.angle)
+        DMat3::from_rotation_y(self.turn) * DMat3::from_rotation_x(self.angle)
+    }
+
+    /// A point of the profile of the rail (m), of a roller turned with the patch, in its frame: s and n.
+    pub(crate) fn in_the_plane(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        let (y, z) = (y - self.reference.y, z - self.on_profile);
+        [y * cos + z * sin, z * cos - y * sin]
     }
 
     /// A point of the track (m) in the frame of the contact: x, s and n from the reference point.
@@ -151,11 +163,16 @@ impl Search<'_> {
         let rail = self.setup.rail();
         let Stretch { means, depth, deepest, along, edges, widest, cut } = *stretch;
         let centre = means.centre();
-        let on_rail = self.top.below(rail, centre.y).map(|along| rail.point(along)[1]);
-        let reference = DVec3::new(centre.x, centre.y, on_rail.unwrap_or(centre.z));
+        let on_rail = self.setup.below(centre.y).map(|along| rail.point(along)[1]);
+        let on_profile = on_rail.unwrap_or(centre.z);
+        let Turned { z, turn, .. } =
+            self.setup.roller().at(on_profile, centre.x).unwrap_or_default();
+        let reference = DVec3::new(centre.x, centre.y, z);
         let mut patch = Patch {
             reference,
             angle: means.angle(),
+            turn,
+            on_profile,
             along: along.map(|x| x - reference.x),
             across: [0.0; 2],
             widest,
@@ -164,9 +181,29 @@ impl Search<'_> {
             deepest,
             height,
         };
-        patch.across =
-            [edges[1], edges[0]].map(|[y, z]| patch.local(DVec3::new(reference.x, y, z)).y);
+        patch.across = [edges[1], edges[0]].map(|edge| patch.in_the_plane(edge)[0]);
         patch
+    }
+
+    /// The patch as the wheel at that height (m) begins to touch it: a point, where its overlap was largest.
+    pub(crate) fn first_of(&self, patch: &Patch, height: f64) -> Patch {
+        let Some(at) = self.possible(patch.deepest) else { return patch.clone() };
+        let rail = self.setup.rail().place(at.on_rail);
+        let ([along_y, along_z], on_profile) = (rail.tangent, rail.point[1]);
+        let Turned { turn, .. } =
+            self.setup.roller().at(on_profile, at.point.x).unwrap_or_default();
+        Patch {
+            reference: at.point + DVec3::Z * at.gap,
+            angle: along_z.atan2(along_y),
+            turn,
+            on_profile,
+            along: [0.0; 2],
+            across: [0.0; 2],
+            widest: 0.0,
+            depth: 0.0,
+            height,
+            ..patch.clone()
+        }
     }
 
     /// The stretches of the locus whose gap is below the height.
@@ -222,9 +259,11 @@ impl Search<'_> {
             depth: 0.0,
             deepest: ends[0],
         };
+        let mut after = place(0.0);
         for at in 0..POINTS {
-            let [before, middle, after] =
-                [0.0, 0.5, 1.0].map(|part| place((at as f64 + part) / POINTS as f64));
+            let before = after;
+            let middle = place((at as f64 + 0.5) / POINTS as f64);
+            after = place((at as f64 + 1.0) / POINTS as f64);
             if let [Some(before), Some(middle), Some(after)] = [before, middle, after] {
                 self.take(&mut stretch, &middle, (before.point.y - after.point.y).abs(), height);
             }
@@ -244,7 +283,8 @@ impl Search<'_> {
         });
         let radius =
             self.setup.wheelset().nominal_radius + self.setup.wheel().point(at.on_wheel)[1];
-        let half = (2.0 * radius * depth).sqrt();
+        let rail = self.setup.roller().curvature(self.setup.rail().point(at.on_rail)[1]);
+        let half = (2.0 * depth / (radius.recip() + rail)).sqrt();
         stretch.along =
             [stretch.along[0].min(at.point.x - half), stretch.along[1].max(at.point.x + half)];
         if depth > stretch.depth {

@@ -4,10 +4,14 @@
 //! and the plane on top of the rails. The left side is its mirror image: [`Side::attitude`] and [`Side::velocity`] give
 //! the wheelset as the mirror shows it, and what is computed from them has y to the field side of the left rail.
 
+mod roller;
 mod side;
+mod top;
 mod track;
 mod wheelset;
 
+pub use roller::Roller;
+pub(crate) use roller::Turned;
 pub use side::Side;
 pub use track::{Placing, Track};
 pub use wheelset::{Attitude, Velocity, Wheelset};
@@ -16,7 +20,10 @@ use glam::DVec3;
 
 use crate::curve::Curve;
 use archard::parameters::Invalid;
+use top::Top;
 
+/// Distance (m) between the places of a profile between which a depth is looked for.
+const STEP: f64 = 2e-4;
 /// Most length (m) of a profile that can stand in the track.
 const LONGEST: f64 = 2.0;
 
@@ -37,6 +44,10 @@ pub struct Setup {
     placing: Placing,
     wheel: Curve,
     wheelset: Wheelset,
+    roller: Roller,
+    /// What is looked up at every state: the rail from above, and places (m) along the wheel and the rail.
+    top: Top,
+    samples: [Vec<f64>; 2],
 }
 
 impl Setup {
@@ -60,14 +71,46 @@ impl Setup {
             ));
         }
         let placing = track.place(rail)?;
-        Ok(Self { rail: placing.curve(rail), placing, wheel: wheel.clone(), wheelset })
+        Ok(Self::standing(placing, rail, wheelset, wheel, Roller::default()))
     }
 
     /// The same with other curves (m), in their own coordinates, each where the one before it stands: a worn rail is lower
     /// than a new one.
     #[must_use]
     pub fn worn(&self, rail: &Curve, wheel: &Curve) -> Self {
-        Self { rail: self.placing.curve(rail), wheel: wheel.clone(), ..self.clone() }
+        Self::standing(self.placing, rail, self.wheelset, wheel, self.roller)
+    }
+
+    /// The same on a roller of that radius (m) at the top of the rail.
+    ///
+    /// # Errors
+    /// If the radius is not greater than zero, or the profile of the rail reaches to the axis of the roller.
+    pub fn on_a_roller(self, radius: f64) -> Result<Self, Invalid> {
+        let depths = self.samples[1].iter().map(|&along| self.rail.point(along)[1]);
+        let roller = Roller::new(radius, depths.fold(f64::NEG_INFINITY, f64::max))?;
+        Ok(Self { roller, ..self })
+    }
+
+    fn standing(
+        placing: Placing,
+        rail: &Curve,
+        wheelset: Wheelset,
+        wheel: &Curve,
+        roller: Roller,
+    ) -> Self {
+        let (rail, wheel) = (placing.curve(rail), wheel.clone());
+        let (top, samples) = (Top::new(&rail), [&wheel, &rail].map(|curve| curve.samples(STEP)));
+        Self { rail, placing, wheel, wheelset, roller, top, samples }
+    }
+
+    /// Where the rail has that y (m along its curve) as it is seen from above, if it reaches there.
+    pub(crate) fn below(&self, y: f64) -> Option<f64> {
+        self.top.below(&self.rail, y)
+    }
+
+    /// Places (m along the curves) of the wheel and of the rail, all nodes among them, between which a depth is looked for.
+    pub(crate) fn samples(&self) -> &[Vec<f64>; 2] {
+        &self.samples
     }
 
     /// The rail in the track (m).
@@ -93,6 +136,11 @@ impl Setup {
     /// The lengths of the wheelset.
     pub fn wheelset(&self) -> &Wheelset {
         &self.wheelset
+    }
+
+    /// Whether the rail is a roller.
+    pub fn roller(&self) -> Roller {
+        self.roller
     }
 
     /// The middle of the axle (m) for that attitude and height: at height 0 an upright wheel has z = 0 of its profile on

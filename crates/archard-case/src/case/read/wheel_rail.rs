@@ -15,7 +15,7 @@ use archard_rail::wear::Cracks;
 /// The tables of such a case.
 const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion", "until", "reprofiling"];
 /// What a wheel or a rail may have.
-const OF_BODIES: &[&str] = &["material", "profile", "wear", "flange_wear", "cracks"];
+const OF_BODIES: &[&str] = &["material", "thermal", "profile", "wear", "flange_wear", "cracks"];
 /// What other bodies may have that roll.
 const OF_OTHERS: &[&str] = &["material", "profile", "wear"];
 
@@ -128,6 +128,8 @@ impl Reader<'_> {
         let section = self.as_table(key, &entry.node)?;
         self.unknown(&section, "key", tables);
         let material = self.material(&section);
+        let made_of = material.as_ref().and_then(Option::as_ref);
+        let thermal = self.thermal(&section, made_of);
         let profile = self.table(&section, "profile", "the profile")?;
         let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
         let wear = self.wear(&section);
@@ -140,8 +142,8 @@ impl Reader<'_> {
         };
         let (name, hardness, material) = (entry.name.clone(), material.hardness, material.elastic);
         let (wear, flange_wear) = (wear?, flange_wear?);
-        let (profile, cracks) = (profile?, cracks?);
-        Some(Rolled { name, material, hardness, profile, wear, flange_wear, cracks })
+        let (profile, cracks, thermal) = (profile?, cracks?, thermal?);
+        Some(Rolled { name, material, hardness, thermal, profile, wear, flange_wear, cracks })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.

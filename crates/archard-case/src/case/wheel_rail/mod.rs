@@ -2,6 +2,7 @@
 
 mod cracks;
 mod forecast;
+mod heat;
 mod history;
 mod keys;
 mod limits;
@@ -14,10 +15,10 @@ mod shape;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use archard::body::Material;
+use archard::body::{Material, Thermal};
 use archard::friction::Friction;
 use archard::parameters::{Invalid, Values};
-use archard::wear::{Input, WearLaw};
+use archard::wear::WearLaw;
 use archard_rail::Part;
 use archard_rail::contact::{Bodies, ContactError, FlangeWear, Resolution};
 use archard_rail::curve::Curve;
@@ -49,6 +50,8 @@ pub struct Rolled<S: 'static> {
     pub material: Material,
     /// Its indentation hardness (Pa), where it is known.
     pub hardness: Option<f64>,
+    /// How it conducts heat, and how warm it is; `None` where nobody asks for it.
+    pub thermal: Option<Thermal>,
     /// Its profile.
     pub profile: Chosen<S>,
     /// How it wears; `None` if it does not.
@@ -158,8 +161,14 @@ impl WheelRailCase {
             flange_back_position: position,
             nominal_radius: wheel.radius,
         };
+        let radius = rail.radius;
         let place = |rail: &Curve, wheel: &Curve| {
-            Setup::new(track, rail, wheelset, wheel).map_err(|error| self.problem(error))
+            let setup = Setup::new(track, rail, wheelset, wheel);
+            let setup = setup.and_then(|setup| match radius {
+                Some(radius) => setup.on_a_roller(radius),
+                None => Ok(setup),
+            });
+            setup.map_err(|error| self.problem(error))
         };
         let setup = place(&rail.shape.curve, &wheel.shape.curve)?;
         self.hold_flange(&setup)?;
@@ -188,6 +197,7 @@ impl WheelRailCase {
         let bodies = Bodies {
             wheel: self.wheel.material,
             rail: self.rail.material,
+            thermal: [self.wheel.thermal, self.rail.thermal],
             friction: friction.into(),
             flange: None,
             shear_yield: verdict::shear_yield(hardness.unwrap_or(verdict::RAIL_STEEL)),
@@ -323,6 +333,7 @@ impl WheelRailCase {
             let message = format!("`{}` has no wear law: nothing is turned", self.wheel.name);
             return Err(Problem::error(Key::of(["reprofiling"]), message));
         }
+        heat::hold(self, &prepared.bodies)?;
         let motion = Key::of(["motion", "wheel_rail"]);
         let extents = [
             (distance, "distance", "how far the wheel runs"),
@@ -332,26 +343,19 @@ impl WheelRailCase {
         for ((law, (extent, key, meaning)), name) in
             prepared.bodies.wear.iter().zip(extents).zip(names)
         {
-            let wear = Key::of(["body", name, "wear"]);
-            let Some(law) = law else {
+            if law.is_none() {
                 if extent.is_some() {
                     let message = format!("{meaning} counts for nothing: `{name}` has no wear law");
                     return Err(Problem::error(motion.child(key), message));
                 }
                 continue;
-            };
+            }
             if extent.is_none() {
                 return Err(Problem::missing(
                     motion.child(key),
                     format!("{meaning}, since `{name}` wears"),
                 ));
             }
-            hold_law(&**law, wear)?;
-        }
-        let on_the_flange = prepared.bodies.flange_wear.iter().flat_map(|flange| &flange.wear);
-        for (law, name) in on_the_flange.zip(names) {
-            let Some(law) = law else { continue };
-            hold_law(&**law, Key::of(["body", name, "flange_wear"]))?;
         }
         Ok(())
     }
@@ -394,6 +398,7 @@ impl WheelRailCase {
             "nominal_radius" => wheel.child("radius"),
             "rail" => rail,
             "cant" => rail.child("cant"),
+            "rail_radius" => rail.child("radius"),
             "flange_back_distance" => motion.child("flange_back"),
             "velocity" => motion.child("speed"),
             "load" => motion.child("wheel_load"),
@@ -470,13 +475,4 @@ pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
             (WheelRailForecast::default(), problems)
         }
     }
-}
-
-/// Refuses a law that asks for what is not known of wheels on rails.
-fn hold_law(law: &dyn WearLaw, key: Key) -> Result<(), Problem> {
-    if law.inputs().contains(&Input::Temperature) {
-        let message = "the law asks for the temperature, which is not computed of wheels on rails: take one of pressure, speed or work";
-        return Err(Problem::error(key, message));
-    }
-    Ok(())
 }

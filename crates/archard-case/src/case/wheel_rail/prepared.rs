@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use archard::friction::{Circumstances, Friction};
 use archard::parameters::Invalid;
 use archard_rail::conicity::equivalent_conicity;
 use archard_rail::contact::{self, Bodies, ContactError, Resolution};
@@ -22,6 +23,11 @@ use crate::output::{
     AtPoint, Flank, RailContact, RailEconomy, RailHistory, RailLife as Life, RailPlan, RailResults,
     RailWear,
 };
+
+/// Coefficient of friction under a pressure (Pa), of surfaces that hardly slide and are cold where it depends on that.
+fn coefficient(law: &dyn Friction, pressure: f64) -> f64 {
+    law.factor(Circumstances::default()) * law.limit(pressure) / pressure
+}
 
 /// A wheel over its rail, ready to be pressed on in any state.
 #[derive(Debug, Clone)]
@@ -199,7 +205,7 @@ impl Prepared {
             let point = state.point(self.setup.wheelset(), &self.bodies.friction)?;
             let bodies = point.between(&self.bodies);
             let pressure = bodies.shear_yield;
-            let friction = bodies.friction_at(flank.y).limit(pressure) / pressure;
+            let friction = coefficient(&**bodies.friction_at(flank.y), pressure);
             for (lateral, sign) in state.lateral_forces.into_iter().zip([1.0, -1.0]) {
                 let vertical = point.load + sign * point.transfer;
                 let over = lateral.zip(flank.nadal(friction));
@@ -283,7 +289,7 @@ impl Prepared {
             });
             let peak = steepest.map(|patch| patch.values.peak_pressure).filter(|peak| *peak > 0.0);
             let nadal = flank.zip(peak).and_then(|(flank, peak)| {
-                flank.nadal(bodies.friction_at(flank.y).limit(peak) / peak)
+                flank.nadal(coefficient(&**bodies.friction_at(flank.y), peak))
             });
             let told = state.lateral_forces[usize::from(*side == Side::Left)];
             Ok(RailContact { at, side: *side, load: own.load, nadal, told, patches })

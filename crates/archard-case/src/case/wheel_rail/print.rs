@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use archard::body::Thermal;
 use archard::parameters::{Parameter, Values};
 
 use super::{LIMITS, REPROFILING, Rolled, WheelRailCase};
@@ -44,12 +45,16 @@ fn print_values(
 }
 
 pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
-    let Rolled { name, material, hardness, profile, wear, flange_wear, cracks } = body;
+    let Rolled { name, material, hardness, thermal, profile, wear, flange_wear, cracks } = body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
     if let Some(hardness) = hardness {
         writeln!(f, "{key}.material.hardness = {}", si(*hardness, "Pa"))?;
+    }
+    for (parameter, value) in thermal.iter().flat_map(Thermal::values) {
+        let value = si(value, parameter.quantity.unit());
+        writeln!(f, "{key}.thermal.{} = {value}", parameter.name)?;
     }
     print_chosen(f, &format!("{key}.profile"), profile)?;
     if let Some(wear) = wear {

@@ -40,6 +40,8 @@ pub struct RailShape {
     pub shape: Shape,
     /// Inclination (rad) towards the middle of the track.
     pub cant: f64,
+    /// The radius (m) at its top of a rail that is the rim of a roller.
+    pub radius: Option<f64>,
 }
 
 /// What the profile of a wheel takes.
@@ -57,10 +59,11 @@ pub const WHEELS: &[Choice<WheelShape>] = &[Choice {
 pub const RAILS: &[Choice<RailShape>] = &[Choice {
     name: "rail",
     meaning: "the profile of a rail, from its standard or from a file",
-    parameters: &[FILE, RAIL_STANDARD, CANT, SMOOTHING, UNIT, UPWARDS, MIRRORED],
+    parameters: &[FILE, RAIL_STANDARD, CANT, ROLLER, SMOOTHING, UNIT, UPWARDS, MIRRORED],
     build: |values| {
         let cant = values.word("cant").map_or(Ok(0.0), inclination)?;
-        Ok(RailShape { shape: shape(values, Part::Rail, rail_60e1)?, cant })
+        let radius = values.number("radius");
+        Ok(RailShape { shape: shape(values, Part::Rail, rail_60e1)?, cant, radius })
     },
 }];
 
@@ -79,6 +82,11 @@ const CANT: Parameter = Parameter::optional(
     "cant",
     Quantity::Text,
     "inclination of the rail towards the middle of the track, \"1:40\"; none if not given",
+);
+const ROLLER: Parameter = Parameter::optional(
+    "radius",
+    Quantity::Length,
+    "of a roller rig: radius of the roller at the top of the rail, which is straight if not given",
 );
 const SMOOTHING: Parameter = Parameter::optional(
     "smoothing",
