@@ -192,8 +192,7 @@ pub(super) fn write(
         return Ok((Value::Null, vec![]));
     };
     write_table(manifest, body, &maxima)?;
-    let place = maxima.largest(0).map(|own| own.place);
-    let worst = pressed.section_through(WORST, place, axis);
+    let worst = pressed.section_through(WORST, maxima.inside[0].place, axis);
     let worst: Vec<_> = worst.iter().map(|section| pressed.section(section)).collect();
     write_sections(manifest, &prefix(&body.name), &worst, which == 1)?;
     if let Some(planes) = planes {

@@ -83,14 +83,9 @@ impl SectionError {
 
 impl Pressed {
     /// A section along an axis through a place (m), twice as wide as the contact and as deep as that is wide, as far as stresses are
-    /// known; `None` without a place, or where nothing is pressed.
-    pub fn section_through(
-        &self,
-        name: &str,
-        place: Option<[f64; 3]>,
-        axis: usize,
-    ) -> Option<Section> {
-        let mut through = place?;
+    /// known; `None` where nothing is pressed.
+    pub fn section_through(&self, name: &str, place: [f64; 3], axis: usize) -> Option<Section> {
+        let mut through = place;
         let axis = if self.below.is_line() { 0 } else { axis };
         let pressed = self.below.pressure().iter().enumerate().filter(|(_, p)| **p > 0.0);
         let places = pressed.map(|(element, _)| self.below.place(element)[axis]);
