@@ -86,8 +86,8 @@ fn damaged(block: &Value, body: &str) -> Vec<Vec<String>> {
         ("cycles_to_failure", format!("Cycles to the end of a life of {body}")),
     ];
     let row = |(key, what): (&str, String)| {
-        let error = block[format!("{key}_error")].as_f64()?;
-        Some(vec![what, format!("{:.3e}", block[key].as_f64()?), format!("{error:.1e}")])
+        let shown = |key: &str| Some(quantity(block[key].as_f64()?, ""));
+        Some(vec![what, shown(key)?, shown(&format!("{key}_error"))?])
     };
     rows.into_iter().filter_map(row).collect()
 }

@@ -139,18 +139,18 @@ fn damage_without_wear_is_cycles_over_a_life() {
     let mut damage = Damage::new(tiring(line.1));
     assert!(damage.so_far().is_none());
     let none = vec![0.0; 128];
-    for cycles in [1.0, 2.0, 100.0, 1e9] {
+    for cycles in [1.0, 2.0, 100.0, 1e10] {
         damage.pass(&cycle, cycles, &none);
     }
     let found = damage.so_far().unwrap();
     let each = found.rows.iter().filter(|[depth, ..]| *depth < 0.4 * HALF).step_by(4);
     for [depth, all, left] in each {
-        let known = 1e9 * worst(|x| share([x, depth / HALF]));
+        let known = 1e10 * worst(|x| share([x, depth / HALF]));
         assert!((all / known - 1.0).abs() < 0.03 && all == left, "{depth}: {all} for {known}");
     }
     let known = worst(|x| share([x, 0.05]));
     let [largest, error] = found.largest;
-    assert!((largest - 1e9 * known).abs() < error + 0.03 * largest, "{found:?} for {known}");
+    assert!((largest - 1e10 * known).abs() < error + 0.03 * largest, "{found:?} for {known}");
     assert!((found.left[0], found.through) == (largest, false) && error < 0.2 * largest);
     assert!((largest > 1.0) && (found.place[2] / HALF + 0.05).abs() < 1e-9);
     let [life, off] = found.life.unwrap();
