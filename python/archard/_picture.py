@@ -92,7 +92,8 @@ def _panel(axes: Any, panel: dict[str, Any], points: float, letter: str) -> None
             axis.set_ticks(range(1, len(names) + 1), labels=names)
     for words, (at, height), colour in panel["notes"]:
         axes.text(at, height, _plain(words), color=colour, ha="center")
-    if any(mark["legend"] for mark in panel["marks"]):
+    # Contours have a bar of colours in its place.
+    if any(mark["legend"] and "contours" not in mark for mark in panel["marks"]):
         inside = panel["legend"] != "outside"
         place = {"loc": panel["legend"]} if inside else {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
         axes.legend(title=_plain(panel["legend_title"] or ""), **place)
@@ -112,6 +113,8 @@ def _mark(axes: Any, mark: dict[str, Any], points: float) -> None:
         axes.fill_between(x, low, high, color=mark["colour"], alpha=mark["opacity"], linewidth=0.0, label=name)
     elif "map" in mark:
         _map(axes, mark)
+    elif "contours" in mark:
+        _contours(axes, mark)
     else:
         _parts(axes, mark)
 
@@ -124,6 +127,16 @@ def _map(axes: Any, mark: dict[str, Any]) -> None:
     (left, right), (low, high) = mark["edges"]
     x, y = np.linspace(left, right, rows.shape[1] + 1), np.linspace(low, high, rows.shape[0] + 1)
     drawn = axes.pcolormesh(x, y, shown, vmin=None if signed else 0.0, rasterized=True)
+    _bar(axes, drawn)
+
+
+def _contours(axes: Any, mark: dict[str, Any]) -> None:
+    """Values at places, filled between levels."""
+    values = np.ma.masked_invalid(np.array(mark["contours"], dtype=float))
+    x, y = _numbers(mark["places"])
+    levels = np.array(mark["levels"], dtype=float)
+    drawn = axes.contourf(x, y, values, levels=levels, extend="both")
+    axes.contour(x, y, values, levels=levels, colors="white", linewidths=0.6)
     _bar(axes, drawn)
 
 

@@ -16,6 +16,7 @@ mod verification {
     mod elastic_bodies;
     mod fitted;
     mod flash_temperature;
+    mod fretting_life;
     mod fretting_wear;
     mod friction_circumstances;
     mod friction_laws;

@@ -46,6 +46,7 @@ pub const CASES: &[Builtin] = &[
     without_files("pin_on_disc_both", include_str!("../cases/pin_on_disc_both/case.toml")),
     without_files("pin_on_disc_track", include_str!("../cases/pin_on_disc_track/case.toml")),
     without_files("coated_disc", include_str!("../cases/coated_disc/case.toml")),
+    without_files("fretting_life", include_str!("../cases/fretting_life/case.toml")),
     without_files("coating_stress", include_str!("../cases/coating_stress/case.toml")),
     without_files("rubber_layer", include_str!("../cases/rubber_layer/case.toml")),
     without_files("soft_liner", include_str!("../cases/soft_liner/case.toml")),

@@ -4,6 +4,7 @@
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
 //! in contact is one too, once its tractions are known: [`Deformed::in_contact`]; of a half-space they say all: [`Pressed`].
 
+mod damage;
 mod edge;
 mod fatigue;
 mod half_space;
@@ -12,7 +13,8 @@ mod maxima;
 mod section;
 mod surface;
 
-pub use fatigue::{Criterion, Cycle};
+pub use damage::{Damage, Damaged, Endurance, Tiring};
+pub use fatigue::{Added, Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
 pub use interfaces::{Interface, Side};
 pub use maxima::{Layer, Maxima, Maximum, Piece};

@@ -33,7 +33,7 @@ const LEFT_OUT: &[(&[&str], &str)] = &[
     ),
     (
         &["fatigue", "crack", "fracture", "toughness", "spall"],
-        "nothing cracks: apply a criterion of your own to the stresses of `output.points`, `output.sections` or `output.stress`",
+        "no crack grows: `fatigue` and `damage` of `output.stress.BODY` say where and when one begins",
     ),
     (
         &["visco", "relaxation", "creep_modulus", "loss_factor"],

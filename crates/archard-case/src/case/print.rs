@@ -10,7 +10,7 @@ use super::definition::{BodyCase, Case, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::finite::FiniteCase;
 use super::quantity::measure;
-use crate::output::{COMPONENTS, Limit, WantedFatigue, WantedStresses};
+use crate::output::{COMPONENTS, Limit, WantedDamage, WantedFatigue, WantedStresses};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::elastic::{Point, Section};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
@@ -164,7 +164,7 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 }
 
 fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> fmt::Result {
-    let WantedStresses { depths, field, initial, strength, layer_strengths, fatigue, .. } = wanted;
+    let WantedStresses { depths, field, strength, layer_strengths, fatigue, .. } = wanted;
     let WantedFatigue { crossland, dang_van, findley, fatemi_socie, smith_watson_topper } = fatigue;
     if depths.is_empty() {
         writeln!(f, "{key}.depths = \"auto\"")?;
@@ -175,8 +175,10 @@ fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> 
     if *field {
         writeln!(f, "{key}.field = true")?;
     }
-    for (name, value) in COMPONENTS.iter().zip(initial).filter(|(_, value)| **value != 0.0) {
-        writeln!(f, "{key}.initial.{name} = {}", si(*value, "Pa"))?;
+    for (added, even) in [("initial", &wanted.initial), ("swinging", &wanted.swinging)] {
+        for (name, value) in COMPONENTS.iter().zip(even).filter(|(_, value)| **value != 0.0) {
+            writeln!(f, "{key}.{added}.{name} = {}", si(*value, "Pa"))?;
+        }
     }
     if let Some(strength) = strength {
         writeln!(f, "{key}.yield_strength = {}", si(*strength, "Pa"))?;
@@ -194,6 +196,11 @@ fn print_stresses(f: &mut Formatter<'_>, key: &str, wanted: &WantedStresses) -> 
         if let Some(factor) = factor {
             writeln!(f, "{key}.fatigue.{name} = {}", number(*factor))?;
         }
+    }
+    if let Some(WantedDamage { criterion, endurance }) = &wanted.damage {
+        writeln!(f, "{key}.damage.criterion = \"{criterion}\"")?;
+        writeln!(f, "{key}.damage.strength = {}", si(endurance.strength, "Pa"))?;
+        writeln!(f, "{key}.damage.exponent = {}", number(endurance.exponent))?;
     }
     if *smith_watson_topper {
         writeln!(f, "{key}.fatigue.smith_watson_topper = true")?;

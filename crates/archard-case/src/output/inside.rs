@@ -4,8 +4,9 @@ use std::collections::VecDeque;
 use std::error::Error as StdError;
 use std::path::Path;
 
+use super::damage::Tired;
 use super::elastic::{POINTS, depth, section_file, write_points, write_sections};
-use super::stress::{self, Passing, Stresses, WantedStresses};
+use super::stress::{self, Passing, Stresses, WantedStresses, prefix};
 use super::table::Table;
 use super::{Error, Manifest, Store, Surface};
 use archard::body::{Body, Finite, Material};
@@ -37,6 +38,8 @@ pub struct Inside {
     repeats: bool,
     /// The tractions of the last cycle, each with how far the motion had gone, where fatigue along it is asked for.
     cycle: VecDeque<(f64, VectorField)>,
+    /// The damage of body 1 and body 2, where that is asked for.
+    tired: [Tired; 2],
 }
 
 /// Why stresses inside are not there.
@@ -56,11 +59,6 @@ pub enum InsideError {
     Write(#[from] Error),
 }
 
-/// What the files of a body's sections begin with.
-fn prefix(body: &str) -> String {
-    format!("{body}_")
-}
-
 impl Inside {
     /// Stresses at points of body 1 and body 2 (m, in their own coordinates).
     pub fn at(points: [Vec<Point>; 2]) -> Self {
@@ -73,6 +71,7 @@ impl Inside {
             frame: None,
             repeats: false,
             cycle: VecDeque::new(),
+            tired: Default::default(),
         }
     }
 
@@ -167,14 +166,22 @@ impl Inside {
                 stresses.missed(body, pressed.missed(&places.collect::<Vec<_>>()));
                 if let Some(wanted) = &self.stresses[which] {
                     pressed.check(&wanted.depths).map_err(failed)?;
+                    let axis = problem.motion.direction.axis;
                     let passing = match problem.motion.increments() {
                         Some(shift) if wanted.fatigue.is_wanted() => {
-                            Passing::Cycle(self.whole(shift, bodies, (which, frame)))
+                            Passing::Cycle(self.whole((shift, axis), bodies, (which, frame)))
                         }
-                        _ => Passing::Along(problem.motion.direction.axis),
+                        _ => Passing::Along(axis),
                     };
-                    let place = (&mut manifest, which, &passing);
-                    stresses.add(body, stress::write(place, bodies[which], wanted, &pressed)?);
+                    let (place, axis) = ((&mut manifest, which), (axis, &passing));
+                    let (mut block, mut lines) =
+                        stress::write(place, axis, bodies[which], (wanted, &pressed))?;
+                    if let Some(wanted) = &wanted.damage {
+                        let (own, more) = self.tired[which].write(&mut manifest, (body, wanted))?;
+                        block["damage"] = own;
+                        lines.extend(more);
+                    }
+                    stresses.add(body, (block, lines));
                 }
                 continue;
             }
@@ -218,7 +225,7 @@ impl Inside {
     /// The last cycle, if all its increments were seen: a run that goes on within it has not seen those before.
     fn whole(
         &self,
-        shift: &Shift,
+        (shift, axis): (&Shift, usize),
         bodies: [&Body; 2],
         (which, frame): (usize, &ContactFrame),
     ) -> Option<Cycle> {
@@ -234,7 +241,25 @@ impl Inside {
             let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
             Some(self.repeated(pressed, bodies, (which, frame)))
         });
-        whole.then(|| instants.collect::<Option<Vec<_>>>().map(Cycle::of)).flatten()
+        let cycle = |instants| Cycle::of(instants, axis);
+        whole.then(|| instants.collect::<Option<Vec<_>>>().map(cycle)).flatten()
+    }
+
+    /// Adds the damage of a cycle at its end.
+    fn tire(&mut self, report: &Report<'_>, shift: &Shift) {
+        let problem = report.problem;
+        let cycles = report.state.progress / shift.period();
+        if cycles < 0.5 || (cycles - cycles.round()).abs() > SAME {
+            return;
+        }
+        let (bodies, axis) = (problem.bodies.each_ref(), problem.motion.direction.axis);
+        for which in 0..2 {
+            let wanted = self.stresses[which].as_ref().filter(|own| own.damage.is_some());
+            let Some(wanted) = wanted else { continue };
+            let cycle = self.whole((shift, axis), bodies, (which, &problem.frame));
+            let passed = (cycles.round(), &*report.state.worn(which));
+            self.tired[which].pass((bodies[which], wanted), cycle.as_ref(), passed);
+        }
     }
 
     /// Displacements and tractions all over a body under tractions of contact.
@@ -261,6 +286,7 @@ impl Observer for Inside {
             if !self.frame.as_ref().is_some_and(same) {
                 self.frame = Some(now.clone());
                 self.cycle.clear();
+                self.tired.iter_mut().for_each(Tired::moved);
             }
             let tractions = report.problem.tractions(report.state);
             let tires = |one: &Option<WantedStresses>| {
@@ -273,6 +299,7 @@ impl Observer for Inside {
                 while self.cycle.len() > shift.cycle.len() {
                     self.cycle.pop_front();
                 }
+                self.tire(report, shift);
             }
             self.last = Some((tractions, [0, 1].map(|body| report.state.worn(body).into_owned())));
         }

@@ -19,7 +19,7 @@
 //! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end
 //! `points.csv`, a row a point, `surface_1.vtu` or `surface_2.vtu` with displacements, tractions, stresses and wear, and
 //! a [`Sheet`] a section, `sections/BODY_NAME.vtu`. Half-spaces have no surface files; where their largest stresses are asked for,
-//! `stress_BODY.csv` has a row a depth, and `stress_BODY.vtr` the field.
+//! `stress_BODY.csv` has a row a depth, `stress_BODY.vtr` the field, and `damage_BODY.csv` the damage over a run.
 //!
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
@@ -37,6 +37,7 @@
 mod cam;
 mod closed_forms;
 mod contacts;
+mod damage;
 mod derived;
 mod distributions;
 mod elastic;
@@ -85,6 +86,7 @@ pub(crate) use closed_forms::blocks as estimate_json;
 pub use contacts::{
     AtPoint, Flank, RailContact, RailHistory, RailResults, contact_row, rail_files, write_rail,
 };
+pub use damage::WantedDamage;
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub(crate) use evidence::Stations;
@@ -103,7 +105,7 @@ pub use rail_wear::{ProfileWear, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
-pub use stress::{COMPONENTS, Stresses, WantedFatigue, WantedStresses};
+pub use stress::{COMPONENTS, Stresses, WORST, WantedFatigue, WantedStresses};
 pub use summary::Totals;
 pub use summary::json_of as verdict_json;
 pub use surface::Surface;

@@ -23,6 +23,7 @@ const GIVEN: &[&str] = &[
     "sections/*.vtu",
     "stress_*.csv",
     "stress_*.vtr",
+    "damage_*.csv",
     // Of a wheel on a rail.
     "contacts.csv",
     "patches/*.vti",

@@ -4,6 +4,8 @@ use std::cmp::Ordering;
 
 use serde_json::{Map, Value, json};
 
+use super::damage::{self, WantedDamage};
+use super::elastic::{section_file, write_sections};
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict::{self, Word};
@@ -24,6 +26,8 @@ pub struct WantedStresses {
     pub field: bool,
     /// An even stress (Pa) that is added: what is left from manufacture, or what the whole body bears.
     pub initial: Components,
+    /// An even stress (Pa) in phase with friction over a cycle of the contact, as it is where friction pushes the body forward by most.
+    pub swinging: Components,
     /// Yield stress (Pa) in tension; by the hardness where that is known and this is not.
     pub strength: Option<f64>,
     /// The same of its layers, from the surface down; none where their hardness says it.
@@ -32,6 +36,8 @@ pub struct WantedStresses {
     pub hardness: Vec<Option<f64>>,
     /// Criteria of fatigue.
     pub fatigue: WantedFatigue,
+    /// The damage by one of these over all cycles.
+    pub damage: Option<WantedDamage>,
 }
 
 /// Factors of the criteria of fatigue that are wanted.
@@ -53,6 +59,12 @@ impl WantedFatigue {
     /// Whether any is.
     pub fn is_wanted(&self) -> bool {
         *self != Self::default()
+    }
+
+    /// Whether the criterion of that name is.
+    pub(crate) fn is_wanted_by(&self, criterion: &str) -> bool {
+        let elastic = Material { young: 1.0, poisson: 0.0 };
+        self.criteria(&elastic, None).iter().any(|own| own.name() == criterion)
     }
 
     /// The criteria, of a body of that material and yield strength (Pa).
@@ -106,7 +118,15 @@ impl WantedStresses {
     /// The files of a body of that name.
     pub(super) fn files(&self, body: &str) -> Vec<String> {
         let field = self.field.then(|| field_file(body));
-        [table_file(body)].into_iter().chain(field).collect()
+        let damage = self.damage.as_ref().map(|_| damage::file(body));
+        let worst = section_file(&prefix(body), WORST);
+        [table_file(body), worst].into_iter().chain(field).chain(damage).collect()
+    }
+
+    /// Criteria of fatigue of a body of one material.
+    pub(super) fn criteria(&self, body: &Body) -> Vec<Criterion> {
+        let strength = self.strengths(body).last().copied().flatten().map(|(own, _)| own);
+        body.material.map_or(vec![], |material| self.fatigue.criteria(&material, strength))
     }
 }
 
@@ -129,6 +149,14 @@ impl Stresses {
     }
 }
 
+/// The section through the place of the largest equivalent stress, along the motion.
+pub const WORST: &str = "worst";
+
+/// What the files of a body's sections begin with.
+pub(super) fn prefix(body: &str) -> String {
+    format!("{body}_")
+}
+
 fn table_file(body: &str) -> String {
     format!("stress_{body}.csv")
 }
@@ -148,15 +176,14 @@ pub(super) enum Passing {
 
 /// Writes the table and, if it is wanted, the field of a body; the block of the summary and the lines of the verdict.
 pub(super) fn write(
-    (manifest, which, passing): (&mut Manifest, usize, &Passing),
+    (manifest, which): (&mut Manifest, usize),
+    (axis, passing): (usize, &Passing),
     body: &Body,
-    wanted: &WantedStresses,
-    pressed: &Pressed,
+    (wanted, pressed): (&WantedStresses, &Pressed),
 ) -> Result<(Value, Vec<verdict::Line>), Error> {
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
     let strengths = wanted.strengths(body);
     let known: Vec<Option<f64>> = strengths.iter().map(|own| own.map(|(own, _)| own)).collect();
-    let strength = known[body.layers.len()];
     let mut planes = wanted.field.then(|| Planes::below(&pressed.below, which == 1));
     let mut see = |depth: f64, plane: &[Vec<f64>; 6]| {
         planes.iter_mut().for_each(|planes| planes.add(depth, plane));
@@ -165,6 +192,9 @@ pub(super) fn write(
         return Ok((Value::Null, vec![]));
     };
     write_table(manifest, body, &maxima)?;
+    let worst = pressed.section_through(WORST, maxima.inside[0].place, axis);
+    let worst: Vec<_> = worst.iter().map(|section| pressed.section(section)).collect();
+    write_sections(manifest, &prefix(&body.name), &worst, which == 1)?;
     if let Some(planes) = planes {
         planes.write(&manifest.claim(&field_file(&body.name))?)?;
     }
@@ -180,12 +210,12 @@ pub(super) fn write(
         );
         lines.push(verdict::of_run(Word::Doubtful, &why));
     }
-    let criteria = body.material.map(|material| wanted.fatigue.criteria(&material, strength));
-    for criterion in criteria.into_iter().flatten() {
-        let at = (&depths[..], &wanted.initial);
+    for criterion in wanted.criteria(body) {
         let found = match passing {
-            Passing::Along(axis) => pressed.fatigue(&criterion, at, *axis),
-            Passing::Cycle(cycle) => cycle.as_ref().and_then(|cycle| cycle.fatigue(&criterion, at)),
+            Passing::Along(axis) => pressed.fatigue(&criterion, (&depths, &wanted.initial), *axis),
+            Passing::Cycle(cycle) => cycle.as_ref().and_then(|cycle| {
+                cycle.fatigue(&criterion, (&depths, (&wanted.initial, &wanted.swinging)))
+            }),
         };
         let of = format!("`{}` of `{}`", criterion.name(), body.name);
         let stated = found.filter(|own| own.value != 0.0);

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard_case::{Resolved, Solves};
 
-use crate::{file, resolve};
+use crate::{file, reads_back, resolve};
 
 /// A ball that frets on a flat.
 pub const FRETTING: &str = r#"
@@ -55,6 +55,24 @@ fn the_forecast_of_fretting_is_cattaneos_and_mindlins() {
     ] {
         assert_eq!(fretting(&[other]).forecast.estimate.fretting, None, "{other}");
     }
+}
+
+#[test]
+fn a_stress_that_swings_with_friction_reads_back() {
+    let wanted = r#"output.stress.flat={ swinging={ xx="80 MPa", zx="-5 MPa" }, fatigue={ crossland=0.3 } }"#;
+    let case = fretting(&[wanted]).case;
+    reads_back(&case);
+    assert_eq!(case.stresses[1].as_ref().unwrap().swinging, [80e6, 0.0, 0.0, 0.0, -5e6, 0.0]);
+}
+
+#[test]
+fn damage_reads_back() {
+    let wanted = r#"output.stress.flat={ fatigue={ dang_van=0.3 }, damage={ criterion="dang_van", strength="900 MPa", exponent=-0.1 } }"#;
+    let case = fretting(&[wanted]).case;
+    reads_back(&case);
+    let damage = case.stresses[1].as_ref().unwrap().damage.as_ref().unwrap();
+    assert_eq!(damage.criterion, "dang_van");
+    assert_eq!((damage.endurance.strength, damage.endurance.exponent), (900e6, -0.1));
 }
 
 /// The loop of gross slip is that of full sliding, widened by the shift beyond it.

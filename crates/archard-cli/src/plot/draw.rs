@@ -8,14 +8,14 @@ use archard_case::output::Place;
 #[cfg(feature = "pdf")]
 use kuva::backend::pdf::{PageSize, PdfBackend};
 use kuva::backend::svg::SvgBackend;
-use kuva::plot::{self, BandPlot, ColorMap, Heatmap, LinePlot, ScatterPlot};
+use kuva::plot::{self, BandPlot, ColorMap, ContourPlot, Heatmap, LinePlot, ScatterPlot};
 use kuva::render::annotations::TextAnnotation;
 use kuva::render::color::Color;
 use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 
-use super::figure::{LegendPosition, Map, Mark, Panel, Parts, Shape, View};
+use super::figure::{Contours, LegendPosition, Map, Mark, Panel, Parts, Shape, View};
 use super::parts::{self, colour};
 use super::raster;
 use super::scale::{tick, tick_of_decades};
@@ -256,7 +256,10 @@ fn drawn(panel: &Panel) -> (Vec<Plot>, Layout) {
         .with_body_size(14)
         .with_legend_box(false)
         .with_tick_format(TickFormat::Custom(Arc::new(tick)));
-    let maps = panel.marks.iter().any(|mark| matches!(mark.shape, Shape::Map(_) | Shape::Parts(_)));
+    let maps = panel
+        .marks
+        .iter()
+        .any(|mark| matches!(mark.shape, Shape::Map(_) | Shape::Parts(_) | Shape::Contours(_)));
     (plots, framed(layout.with_show_grid(!maps), &panel.view))
 }
 
@@ -340,6 +343,15 @@ fn plot(Mark { shape, legend }: &Mark) -> Plot {
             let signed = rows.iter().flatten().any(|value| *value < 0.0);
             let colour = if signed { parts::colour_of_any } else { colour };
             cells(*edges, rows.iter().map(Vec::as_slice), colour)
+        }
+        Shape::Contours(Contours { places: [x, y], rows, levels }) => {
+            // The library draws no line next to a value that is no number.
+            let known = |value: &f64| if value.is_nan() { 0.0 } else { *value };
+            let rows = rows.iter().map(|row| row.iter().map(known).collect()).collect();
+            let contours = ContourPlot::new().with_grid(rows, x.clone(), y.clone());
+            let contours = contours.with_levels(levels).with_filled();
+            let contours = contours.with_line_color("#ffffff").with_line_width(0.8);
+            Plot::Contour(legend.into_iter().fold(contours, ContourPlot::with_legend))
         }
         Shape::Parts(parts) => {
             cells(parts.edges, parts.stand_in().iter().map(<[f64; 2]>::as_slice), colour)

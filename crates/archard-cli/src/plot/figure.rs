@@ -45,6 +45,19 @@ pub(crate) enum Shape {
     Map(Map),
     /// Values on elements of any shape.
     Parts(Parts),
+    /// Values at places, with isolines.
+    Contours(Contours),
+}
+
+/// Values at the places of a grid, filled between levels.
+#[derive(Debug, Clone)]
+pub(crate) struct Contours {
+    /// Places along x and along y, rising.
+    pub(crate) places: [Vec<f64>; 2],
+    /// A row along x after the other, from the lowest y; no number where none is known.
+    pub(crate) rows: Vec<Vec<f64>>,
+    /// Values that lines are drawn at, rising.
+    pub(crate) levels: Vec<f64>,
 }
 
 /// Values on elements, white where they are zero.
@@ -248,6 +261,11 @@ impl Curves {
     /// Adds values on elements.
     pub(crate) fn parts(&mut self, parts: Parts) {
         self.push(Shape::Parts(parts), None);
+    }
+
+    /// Adds values with isolines; a legend names their bar of colours.
+    pub(crate) fn contours(&mut self, contours: Contours, legend: &str) {
+        self.push(Shape::Contours(contours), Some(legend));
     }
 
     /// The panel with these curves; `adapt` changes what is particular to it.

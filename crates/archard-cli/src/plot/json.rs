@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::Picture;
-use super::figure::{LegendPosition, Map, Mark, Panel, Parts, Points, Shape, View};
+use super::figure::{Contours, LegendPosition, Map, Mark, Panel, Parts, Points, Shape, View};
 
 impl Picture {
     /// The picture: its name, how many panels stand side by side, the size (px) of a panel, and the panels.
@@ -39,6 +39,9 @@ fn mark(Mark { shape, legend }: &Mark) -> Value {
         }
         Shape::Map(Map { edges, rows }) => json!({ "map": rows, "edges": edges }),
         Shape::Parts(Parts { edges, parts }) => json!({ "parts": parts, "edges": edges }),
+        Shape::Contours(Contours { places, rows, levels }) => {
+            json!({ "contours": rows, "places": places, "levels": levels })
+        }
     };
     told["legend"] = json!(legend);
     told

@@ -3,6 +3,7 @@
 //! Everything is read from the files of the folder; no solver is involved, so a folder can be
 //! plotted while its run goes on and long after.
 
+mod below;
 pub(crate) mod cam;
 pub(crate) mod cells;
 mod comparison;
@@ -28,6 +29,7 @@ pub(crate) mod results;
 mod rough;
 mod rows;
 pub(crate) mod scale;
+mod shakedown;
 mod study;
 pub(crate) mod surface;
 pub(crate) mod tables;
@@ -139,6 +141,7 @@ pub(crate) fn pictures(
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
+    pictures.extend(below::pictures(&results)?);
     pictures.extend(life::panel(&results).map(|panel| Picture::new("life", vec![panel])));
     if !others.is_empty() {
         let compared = comparison::panel(dir, &results, others)?;
@@ -238,12 +241,14 @@ pub(crate) fn groups(
     if let Some(profile) = &results.lengths {
         profiles.extend(lengths::panel(results, profile)?);
     }
+    let below = below::pictures(results)?.into_iter().flat_map(|own| own.panels).collect();
     let groups = [
         ("history", "History", history),
         ("loops", "Fretting loops", loops),
         ("rough", "Rough surfaces", rough::panels(results)?),
         ("profiles", "Profiles", profiles),
         ("tractions", "Tractions", tractions),
+        ("below", "Sections below the surface", below),
     ];
     Ok(groups.into_iter().filter(|(_, _, panels)| !panels.is_empty()).collect())
 }

@@ -12,16 +12,16 @@ use archard::simulation::history::{
     BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body, stated,
 };
 use archard_case::files;
-use archard_case::output::{Collection, Image, Manifest, Surface};
+use archard_case::output::{Collection, Image, Manifest, Sheet, Surface};
 use archard_case::{Case, CaseFile};
 use serde_json::{Map, Value};
 
-use super::LINE;
 use super::scale::Unit;
 use super::tables::{
     Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_outputs,
     read_profiles, size,
 };
+use super::{LINE, below};
 
 /// What a result folder holds.
 pub(crate) struct Results {
@@ -45,6 +45,8 @@ pub(crate) struct Results {
     pub(crate) lengths: Option<Profile>,
     /// What shares of rough surfaces reach, a table an output.
     pub(crate) distributions: Vec<Table>,
+    /// Sections through the bodies, by their names.
+    pub(crate) sheets: Vec<(String, Sheet)>,
     /// What the run ended with; null until it has.
     pub(crate) summary: Value,
     /// What closed forms start from; null until a run has ended.
@@ -138,6 +140,7 @@ impl Results {
                 .and_then(|summary| summary.get("closed_form").cloned())
                 .unwrap_or_default(),
             summary: summary.map_or(Value::Null, Value::Object),
+            sheets: below::sheets(dir)?,
             history,
         })
     }

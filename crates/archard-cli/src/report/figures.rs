@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::html::{Html, fill};
 use super::words::plain;
 use crate::plot::draw::{Still, still};
-use crate::plot::figure::{Map, Mark, Panel, Parts, Pen, Points, Shape};
+use crate::plot::figure::{Contours, Map, Mark, Panel, Parts, Pen, Points, Shape};
 use archard::numerics::SAME;
 
 /// Most points of a curve: more cannot be told apart on a page.
@@ -202,6 +202,19 @@ fn trace(Mark { shape, legend }: &Mark) -> Value {
         }
         // Drawn in several traces.
         Shape::Parts(_) => Value::Null,
+        Shape::Contours(Contours { places: [x, y], rows, levels }) => {
+            let z: Vec<Vec<Value>> =
+                rows.iter().map(|row| row.iter().map(|value| number(*value)).collect()).collect();
+            let [x, y] = [x, y].map(|own| own.iter().map(|own| rounded(*own)).collect::<Vec<_>>());
+            let step = levels.windows(2).map(|ends| ends[1] - ends[0]).next().unwrap_or(1.0);
+            let contours = json!({
+                "start": levels.first(), "end": levels.last(), "size": rounded(step), "showlabels": true,
+            });
+            json!({
+                "type": "contour", "colorscale": "Viridis", "x": x, "y": y, "z": z, "contours": contours,
+                "line": { "color": "#ffffff", "width": 0.8 },
+            })
+        }
         Shape::Map(Map { edges: [x, y], rows }) => {
             let places = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
                 let step = (high - low) / count.max(1) as f64;

@@ -45,7 +45,8 @@ pub(super) fn table(results: &Results) -> Table {
             let own = block["surface"].pointer(path.trim_start_matches("/above"))?;
             row(own, body, (what.trim_end_matches(" above"), "on the surface"))
         });
-        all.chain(on_top).chain(crossing).chain(used(&block["yield"], body))
+        let worn = tired(block, body).into_iter().chain(damaged(&block["damage"], body));
+        all.chain(on_top).chain(crossing).chain(used(&block["yield"], body)).chain(worn)
     });
     Table {
         caption: "The largest stresses at the end, tension positive, with what the size of elements leaves open".to_owned(),
@@ -63,6 +64,32 @@ fn row(one: &Value, body: &str, (what, place): (&str, &str)) -> Option<Vec<Strin
         quantity(number("value_Pa")?, "Pa"),
         quantity(number("error_Pa")?, "Pa"),
     ])
+}
+
+/// A row a criterion of fatigue.
+fn tired(block: &Value, body: &str) -> Vec<Vec<String>> {
+    let criteria = block["fatigue"].as_object().into_iter().flatten();
+    let row = |(name, own): (&String, &Value)| {
+        let unit = own["unit"].as_str()?;
+        let shown = |key: &str| Some(quantity(own[key].as_f64()?, unit));
+        let what = format!("Fatigue of {body} by {}", name.replace('_', " "));
+        Some(vec![what, shown("value")?, shown("error")?])
+    };
+    criteria.filter_map(row).collect()
+}
+
+/// The damage over the run, and the cycles to its being one.
+fn damaged(block: &Value, body: &str) -> Vec<Vec<String>> {
+    let rows = [
+        ("largest", format!("Largest damage of {body}, of one at the end of a life")),
+        ("left", format!("The same of what is not worn off {body}")),
+        ("cycles_to_failure", format!("Cycles to the end of a life of {body}")),
+    ];
+    let row = |(key, what): (&str, String)| {
+        let shown = |key: &str| Some(quantity(block[key].as_f64()?, ""));
+        Some(vec![what, shown(key)?, shown(&format!("{key}_error"))?])
+    };
+    rows.into_iter().filter_map(row).collect()
 }
 
 /// How much of the strength is used.

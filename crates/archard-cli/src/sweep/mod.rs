@@ -5,6 +5,7 @@
 //! numbers. Last, `sweep.csv` is made of the folders.
 
 mod course;
+mod damage;
 mod design;
 mod drawn;
 mod life;

@@ -9,7 +9,7 @@ use archard_case::output::{Claim, Error, Manifest};
 
 use super::design::Design;
 use super::row::{folder, holds_another, is_done, summary};
-use super::{life, regime};
+use super::{damage, life, regime};
 
 /// The file of all rows.
 pub const SWEEP: &str = "sweep.csv";
@@ -146,6 +146,7 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
         Some(mut last) => {
             last.extend(regime::of(dir, &last).into_iter().flatten());
             last.extend(life::of(&summary));
+            last.extend(damage::of(&summary));
             Known { verdict, reason: reason(&summary), last, ..nothing("done") }
         }
         None => Known { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },

@@ -13,6 +13,7 @@ pub mod fretting_wear;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
+pub mod shakedown;
 pub mod sliding_line;
 pub mod sneddon;
 pub mod spence;

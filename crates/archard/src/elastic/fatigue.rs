@@ -95,6 +95,9 @@ fn deepest(
     let mut ends = [depths[best.saturating_sub(1)], depths[(best + 1).min(depths.len() - 1)]];
     for _ in 0..SECTIONS {
         let width = ends[1] - ends[0];
+        if width == 0.0 {
+            break;
+        }
         let inner = [ends[1] - golden * width, ends[0] + golden * width];
         let found = inner.map(|depth| worst(0, depth));
         for (inner, found) in inner.into_iter().zip(found) {
@@ -182,46 +185,109 @@ impl Pressed {
 #[derive(Debug)]
 pub struct Cycle {
     instants: Vec<(Pressed, [Below; 2])>,
+    /// The force of friction on the body at each, over the largest of the cycle; none without friction.
+    pushes: Option<Vec<f64>>,
 }
 
+/// Even stresses (Pa) that are added at all instants of a cycle, and in phase with friction: these as they are where it pushes the body
+/// forward along the motion by most.
+pub type Added<'a> = (&'a Components, &'a Components);
+
 impl Cycle {
-    /// Of the half-space at the instants, in their order.
-    pub fn of(instants: Vec<Pressed>) -> Self {
+    /// Of the half-space at the instants, in their order, moved along that axis.
+    pub fn of(instants: Vec<Pressed>, axis: usize) -> Self {
+        let pushes: Vec<f64> = instants.iter().map(|own| own.below.push(axis)).collect();
+        let largest = pushes.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let pushes = pushes.into_iter().map(|own| own / largest).collect();
+        let pushes = (largest > 0.0).then_some(pushes);
         let levels = |pressed: Pressed| {
             let coarser = pressed.coarser();
             (pressed, coarser)
         };
-        Self { instants: instants.into_iter().map(levels).collect() }
+        Self { instants: instants.into_iter().map(levels).collect(), pushes }
     }
 
-    /// What a criterion says at most of all points, at these depths (m) and between them, with an even stress added. `None` where
-    /// nothing is known, and as of [`Pressed::maxima`].
+    /// What a criterion says at most of all points, at these depths (m) and between them, with even stresses added. `None` where
+    /// nothing is known, where there is no friction that a stress is in phase with, and as of [`Pressed::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
-        (depths, initial): (&[f64], &Components),
+        (depths, added): (&[f64], Added<'_>),
     ) -> Option<Maximum> {
-        if !self.instants.iter().all(|(pressed, _)| pressed.is_judged()) {
+        let in_phase = *added.1 == [0.0; 6] || self.pushes.is_some();
+        if !in_phase || !self.instants.iter().all(|(pressed, _)| pressed.is_judged()) {
             return None;
         }
-        deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, initial)))
+        deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, added)))
+    }
+
+    /// The depths of [`Pressed::depths`] at the first instant.
+    pub fn depths(&self) -> Vec<f64> {
+        self.instants.first().map_or(vec![], |(pressed, _)| pressed.depths())
+    }
+
+    /// What a criterion says of the points below the centres of elements of a size times two to that power, at a depth (m), with even
+    /// stresses added; no number where a stress is not known.
+    pub(super) fn values(
+        &self,
+        criterion: &Criterion,
+        (level, depth): (usize, f64),
+        added: Added<'_>,
+    ) -> Vec<f64> {
+        let paths = self.all_paths((level, depth), added);
+        let value = |path: Option<Path>| path.map_or(f64::NAN, |(_, path)| criterion.of(&path));
+        paths.into_par_iter().map(value).collect()
+    }
+
+    /// Where along x and y (m) the centres of the same elements are.
+    pub(super) fn columns(&self, level: usize) -> Vec<[f64; 2]> {
+        let below = self.instants.first().map(|(pressed, coarser)| pressed.level(coarser, level));
+        let places = |below: &Below| {
+            (0..below.pressure().len()).map(|element| below.place(element)).collect()
+        };
+        below.map_or(vec![], places)
+    }
+
+    /// Means of a field of the elements over those of twice the size.
+    pub(super) fn halved(&self, field: &[f64]) -> Vec<f64> {
+        let Some((pressed, [coarse, _])) = self.instants.first() else { return vec![] };
+        let ([nx, _], [mx, my]) = (pressed.below.elements(), coarse.elements());
+        let mut sums = vec![[0.0; 2]; mx * my];
+        for (index, value) in field.iter().enumerate() {
+            let sum = &mut sums[index % nx / 2 + mx * (index / nx / 2)];
+            (sum[0], sum[1]) = (sum[0] + value, sum[1] + 1.0);
+        }
+        sums.into_iter().map(|[sum, count]| sum / count).collect()
     }
 
     /// The paths of points below the centres of elements at a depth (m); those that are not known at all instants are left out.
-    fn paths(&self, level: usize, depth: f64, initial: &Components) -> Vec<Path> {
-        let planes: Vec<[Vec<f64>; 6]> =
-            self.instants.iter().map(|(one, own)| one.level(own, level).plane(depth)).collect();
+    fn paths(&self, level: usize, depth: f64, added: Added<'_>) -> Vec<Path> {
+        self.all_paths((level, depth), added).into_iter().flatten().collect()
+    }
+
+    /// The same of each element.
+    fn all_paths(
+        &self,
+        (level, depth): (usize, f64),
+        (initial, swinging): Added<'_>,
+    ) -> Vec<Option<Path>> {
+        let push = |instant: usize| self.pushes.as_ref().map_or(0.0, |pushes| pushes[instant]);
+        let planes = self.instants.iter().enumerate().map(|(instant, (one, own))| {
+            let added = std::array::from_fn(|i| initial[i] + push(instant) * swinging[i]);
+            (one.level(own, level).plane(depth), added)
+        });
+        let planes: Vec<([Vec<f64>; 6], Components)> = planes.collect();
         let Some((pressed, coarser)) = self.instants.first() else { return vec![] };
         let below = pressed.level(coarser, level);
         let path = |element: usize| {
             let [x, y] = below.place(element);
             let known = self.instants.iter().all(|(pressed, _)| pressed.knows([x, y, -depth]));
-            let stress = |plane: &[Vec<f64>; 6]| -> Components {
-                std::array::from_fn(|i| plane[i][element] + initial[i])
+            let stress = |(plane, added): &([Vec<f64>; 6], Components)| -> Components {
+                std::array::from_fn(|i| plane[i][element] + added[i])
             };
             known.then(|| ([x, y], planes.iter().map(stress).collect()))
         };
-        (0..below.pressure().len()).filter_map(path).collect()
+        (0..below.pressure().len()).map(path).collect()
     }
 }
 

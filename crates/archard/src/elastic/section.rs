@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Response;
+use super::{Pressed, Response};
 use crate::body::mesh;
 use crate::compliance::bem::{Interior, Surface};
 use crate::numerics::SAME;
@@ -11,6 +11,9 @@ use crate::parameters::{Bound, Parameter, Quantity};
 
 /// Most places of a section that are looked at.
 const MOST: f64 = 40_000.0;
+
+/// Places of a section along the surface. A choice: what a picture resolves.
+const PLACES: f64 = 128.0;
 
 /// A plane section of a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,6 +78,36 @@ impl SectionError {
             SectionError::Small => "size",
             SectionError::Endless | SectionError::Misses => "through",
         }
+    }
+}
+
+impl Pressed {
+    /// A section along an axis through a place (m), twice as wide as the contact and as deep as that is wide, as far as stresses are
+    /// known; `None` where nothing is pressed.
+    pub fn section_through(&self, name: &str, place: [f64; 3], axis: usize) -> Option<Section> {
+        let mut through = place;
+        let axis = if self.below.is_line() { 0 } else { axis };
+        let pressed = self.below.pressure().iter().enumerate().filter(|(_, p)| **p > 0.0);
+        let places = pressed.map(|(element, _)| self.below.place(element)[axis]);
+        let [low, high] = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], own| {
+            [low.min(own), high.max(own)]
+        });
+        let width = high - low + self.below.spacing()[axis];
+        let frame = self.below.elements()[axis] as f64 * self.below.spacing()[axis];
+        let across = (2.0 * width).min(frame);
+        let deep = width.max(1.25 * through[2].abs()).min(self.known_depth());
+        (through[axis], through[2]) = (0.5 * (low + high), 0.0);
+        let mut normal = [0.0; 3];
+        normal[1 - axis] = 1.0;
+        let spacing = across / PLACES;
+        let size = Some([across, 2.0 * deep]);
+        (width > 0.0 && deep > 2.0 * spacing).then(|| Section {
+            name: name.to_owned(),
+            through,
+            normal,
+            spacing,
+            size,
+        })
     }
 }
 

@@ -14,6 +14,8 @@ const STEPS: usize = 9;
 const BEST: usize = 6;
 /// How closely (rad): a maximum is met to the square of it, which is rounding.
 const CLOSE: f64 = 1e-7;
+/// By how much of a value a step has to lead up: above the rounding of the smallest circle, below any stress's own error.
+const GAINED: f64 = 1e-10;
 
 /// What a path of stresses, or strains, does on a plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,25 +64,59 @@ pub fn worst(value: impl Fn(Plane) -> f64) -> (f64, Plane) {
     refined.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::NAN, [0.0, 0.0, 1.0]))
 }
 
+/// Climbs from a plane to the next maximum: to the best of eight planes around it, or of the quadric that goes through them, which
+/// follows the ridge that a stress about even around an axis has. Steps double where the quadric leads, and halve where nothing does.
 fn refine(value: &impl Fn(Plane) -> f64, (mut best, mut plane): (f64, Plane)) -> (f64, Plane) {
-    let mut step = FRAC_PI_2 / STEPS as f64;
+    let first = FRAC_PI_2 / STEPS as f64;
+    let mut step = first;
     while step > CLOSE {
         let [u, v] = axes(plane);
-        let around = (0..8).map(|eighth| {
-            let (sin, cos) = (f64::from(eighth) * FRAC_PI_4).sin_cos();
-            let next = [0, 1, 2].map(|i| plane[i] + step * (cos * u[i] + sin * v[i]));
-            let next = unit(next);
+        let moved = |x: f64, y: f64| {
+            let next = unit([0, 1, 2].map(|i| plane[i] + x * u[i] + y * v[i]));
             (value(next), next)
+        };
+        let eighths: [[f64; 2]; 8] = std::array::from_fn(|eighth| {
+            let (sin, cos) = (eighth as f64 * FRAC_PI_4).sin_cos();
+            [cos, sin]
         });
-        match around.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            // By more than rounding.
-            Some((there, next)) if there > best + 4.0 * f64::EPSILON * best.abs() => {
-                (best, plane) = (there, next);
-            }
-            _ => step *= 0.5,
+        let around = eighths.map(|[x, y]| moved(step * x, step * y));
+        let [x, y] = highest(best, &eighths, &around.map(|(value, _)| value));
+        let led = moved(step * x, step * y);
+        let better = around.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or(led);
+        let climbs = |there: f64| there > best + GAINED * best.abs();
+        if led.0 >= better.0 && climbs(led.0) {
+            (best, plane) = led;
+            step = (2.0 * step).min(first);
+        } else if climbs(better.0) {
+            (best, plane) = better;
+        } else {
+            step *= 0.5;
         }
     }
     (best, plane)
+}
+
+/// Where the quadric through a value and those at eight places on the circle of radius one around it, by least squares, is highest; by
+/// twice that radius at most along each of its axes.
+fn highest(middle: f64, places: &[[f64; 2]; 8], values: &[f64; 8]) -> [f64; 2] {
+    let mean = |weight: &dyn Fn(f64, f64) -> f64| {
+        let each = places.iter().zip(values);
+        each.map(|([x, y], value)| weight(*x, *y) * (value - middle)).sum::<f64>() / 8.0
+    };
+    // On the circle the quadric is a series of Fourier: its means give slope and curvature.
+    let slope = [mean(&|x, _| 2.0 * x), mean(&|_, y| 2.0 * y)];
+    let (all, cos, sin) =
+        (2.0 * mean(&|_, _| 1.0), mean(&|x, y| 4.0 * (x * x - y * y)), mean(&|x, y| 8.0 * x * y));
+    let (half, length) = (0.5 * sin.atan2(cos), cos.hypot(sin));
+    let axis = [half.cos(), half.sin()];
+    let along = |axis: [f64; 2], curved: f64| {
+        let slope = axis[0] * slope[0] + axis[1] * slope[1];
+        let length =
+            if curved < 0.0 { (slope / -curved).clamp(-2.0, 2.0) } else { slope.signum() * 2.0 };
+        axis.map(|own| own * length)
+    };
+    let [first, second] = [along(axis, all + length), along([-axis[1], axis[0]], all - length)];
+    [first[0] + second[0], first[1] + second[1]]
 }
 
 /// Normals over half of the sphere, about evenly.

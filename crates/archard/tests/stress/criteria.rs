@@ -64,6 +64,44 @@ fn criteria_have_the_values_of_known_paths() {
     }
 }
 
+/// Tension to and fro about a mean, with a little of all else: planes of every direction around the axis are about as bad, and the search
+/// for the worst ends.
+#[test]
+fn tension_about_even_around_its_axis_has_the_values_of_tension_alone() {
+    let (mean, swing) = (30.0, 100.0);
+    let most = mean + swing;
+    for little in [0.0, 1e-6, 1e-4, 1e-2] {
+        let at = |step: i32| {
+            let (sin, cos) = (TAU * f64::from(step) / 10.0).sin_cos();
+            [
+                mean + swing * cos,
+                -little,
+                -little * (1.0 + 0.2 * cos),
+                little * sin,
+                little * cos,
+                0.0,
+            ]
+        };
+        let path: Vec<Components> = (0..10).map(at).collect();
+        let [amplitude, hydrostatic] = crossland(&path);
+        // By Mohr's circles: half of the swing at 45 degrees, a factor k turns the plane.
+        let k = 0.3;
+        let known = [
+            (amplitude, swing / 3f64.sqrt()),
+            (hydrostatic, most / 3.0),
+            (dang_van(&path, k), 0.5 * swing + k * most / 3.0),
+            (findley(&path, k).0, 0.5 * (k * most + (k * most).hypot(swing))),
+            (smith_watson_topper(&path, STEEL).0, most * swing / STEEL.young),
+        ];
+        for (index, (found, known)) in known.into_iter().enumerate() {
+            assert!(
+                (found / known - 1.0).abs() < 1e-8 + 0.03 * little,
+                "{little} {index}: {found} {known}"
+            );
+        }
+    }
+}
+
 #[test]
 fn the_smallest_ball_holds_all_points_and_rests_on_some() {
     let square = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [0.3, 0.2]];

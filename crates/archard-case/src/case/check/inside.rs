@@ -3,7 +3,7 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::output::WantedStresses;
+use crate::output::{WORST, WantedStresses};
 use archard::body::Body;
 use archard::compliance::bem::Surface;
 use archard::elastic::Pressed;
@@ -14,7 +14,10 @@ use archard::numerics::SAME;
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = vec![];
     let bodies = parts.case.bodies.iter().zip(&parts.case.sections);
-    let mut files: Vec<String> = vec![];
+    // Sections that largest stresses bring along.
+    let asked = parts.case.bodies.iter().zip(&parts.case.stresses);
+    let asked = asked.filter(|(_, wanted)| wanted.is_some());
+    let mut files: Vec<String> = asked.map(|(body, _)| format!("{}_{WORST}", body.name)).collect();
     for (body, section) in
         bodies.flat_map(|(body, sections)| sections.iter().map(|one| (&body.name, one)))
     {
@@ -119,6 +122,27 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
         return vec![problem];
     }
     let fatigue = stresses.as_ref().map(|wanted| wanted.fatigue).filter(|own| own.is_wanted());
+    let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
+    let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
+    let swings = stresses.as_ref().is_some_and(|wanted| wanted.swinging != [0.0; 6]);
+    if swings && !(fatigue.is_some() && cycle && parts.friction.is_some()) {
+        let message = "swings with the friction on a body that stays under a contact that goes through a cycle, and is for `fatigue` alone: here is no such friction, or no criterion of fatigue";
+        return vec![Problem::error(key("stress").child("swinging"), message).at_name()];
+    }
+    if let Some(damage) = stresses.as_ref().and_then(|own| own.damage.as_ref()) {
+        let key = key("stress").child("damage");
+        if !cycle {
+            let message = "is a sum over the cycles of a contact under which the body stays, as in fretting: here are none";
+            return vec![Problem::error(key, message).at_name()];
+        }
+        if !stresses.as_ref().is_some_and(|own| own.fatigue.is_wanted_by(&damage.criterion)) {
+            let message = format!(
+                "takes a criterion of `fatigue`, with its factor: give `fatigue.{}` too",
+                damage.criterion
+            );
+            return vec![Problem::error(key.child("criterion"), message)];
+        }
+    }
     if let Some(fatigue) = fatigue {
         let key = key("stress").child("fatigue");
         if body.has_image() {
@@ -126,8 +150,6 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
             return vec![Problem::error(key, message).at_name()];
         }
         let passes = matches!(parts.motion.surfaces[which], Passage::Passes(_));
-        let stays = matches!(parts.motion.surfaces[which], Passage::Stays);
-        let cycle = stays && parts.motion.increments().is_some_and(|shift| shift.cycle.len() > 1);
         if !cycle && (!passes || parts.motion.lever_arm() == Some(Lever::Radius)) {
             let message = "is for a body whose points pass through the contact along an axis, one after the other, or stay under it while it goes through a cycle; under this motion they do neither";
             return vec![Problem::error(key, message).at_name()];

@@ -5,7 +5,8 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Item, Node};
-use crate::output::{COMPONENTS, WantedFatigue, WantedStresses};
+use crate::output::{COMPONENTS, WantedDamage, WantedFatigue, WantedStresses};
+use archard::elastic::Endurance;
 use archard::parameters::{Bound, Parameter, Quantity};
 
 /// An even stress.
@@ -52,6 +53,22 @@ const FATIGUE: &[Parameter] = &[
     ),
 ];
 
+/// The damage by a criterion.
+const DAMAGE: &[Parameter] = &[
+    Parameter::required(
+        "criterion",
+        Quantity::Word(&["crossland", "dang_van", "findley", "smith_watson_topper"]),
+        "one of those of `fatigue`",
+    ),
+    Parameter::required(
+        "strength",
+        Quantity::Pressure,
+        "the value of the criterion that breaks in half a cycle, of Basquin's line: value = strength (2 N)^exponent",
+    ),
+    Parameter::required("exponent", Quantity::Number, "that of the same line, negative")
+        .bound(Bound::Between(-1.0, 0.0)),
+];
+
 const PARAMETERS: &[Parameter] = &[
     Parameter::optional(
         "field",
@@ -64,9 +81,19 @@ const PARAMETERS: &[Parameter] = &[
         "an even stress that is added: residual, or what the whole body bears",
     ),
     Parameter::optional(
+        "swinging",
+        Quantity::Section(INITIAL),
+        "an even stress that swings in phase with friction over a cycle, added for `fatigue`: as it is where friction pushes the body forward by most",
+    ),
+    Parameter::optional(
         "fatigue",
         Quantity::Section(FATIGUE),
         "criteria of fatigue of points that pass through the contact, with their factors",
+    ),
+    Parameter::optional(
+        "damage",
+        Quantity::Section(DAMAGE),
+        "the sum, over all cycles of fretting, of their shares of the life that a criterion lets",
     ),
     Parameter::optional(
         "yield_strength",
@@ -118,9 +145,11 @@ impl Reader<'_> {
             None => vec![],
             Some((key, entry)) => self.strengths(key, &entry.node)?,
         };
-        let initial = values.section("initial");
-        let initial =
-            COMPONENTS.map(|name| initial.and_then(|own| own.number(name)).unwrap_or_default());
+        let even = |added: &str| {
+            let own = values.section(added);
+            COMPONENTS.map(|name| own.and_then(|own| own.number(name)).unwrap_or_default())
+        };
+        let (initial, swinging) = (even("initial"), even("swinging"));
         let fatigue = values.section("fatigue");
         let factor = |name: &str| fatigue.and_then(|own| own.number(name));
         let fatigue = WantedFatigue {
@@ -130,15 +159,23 @@ impl Reader<'_> {
             fatemi_socie: factor("fatemi_socie"),
             smith_watson_topper: fatigue.is_some_and(|own| own.is_true("smith_watson_topper")),
         };
+        let damage = values.section("damage").and_then(|own| {
+            let [strength, exponent] =
+                ["strength", "exponent"].map(|name| own.number(name).unwrap_or_default());
+            let endurance = Endurance { strength, exponent };
+            Some(WantedDamage { criterion: own.word("criterion")?.to_owned(), endurance })
+        });
         let (field, strength) = (values.is_true("field"), values.number("yield_strength"));
         (self.problems.len() == before).then_some(WantedStresses {
             depths,
             field,
             initial,
+            swinging,
             strength,
             layer_strengths,
             hardness: vec![],
             fatigue,
+            damage,
         })
     }
 

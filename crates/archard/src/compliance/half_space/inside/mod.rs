@@ -173,6 +173,11 @@ impl Below {
         self.depth.is_some()
     }
 
+    /// The sum of the tractions (Pa) of friction on the body along an axis over all elements, which are equal.
+    pub fn push(&self, axis: usize) -> f64 {
+        self.tractions[axis].iter().sum()
+    }
+
     /// Whether there is friction along an axis.
     pub fn rubs_along(&self, axis: usize) -> bool {
         self.tractions[axis].iter().any(|traction| *traction != 0.0)
