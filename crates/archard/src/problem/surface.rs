@@ -218,7 +218,7 @@ impl Surface {
         }
     }
 
-    /// Wears an element by a depth (m), of which the point there slid a distance (m).
+    /// Wears an element by a depth (m), and counts a distance (m) that the point there slid.
     pub fn wear_element(&mut self, element: usize, [depth, slip]: [f64; 2]) {
         self.depth[element] += depth;
         if let Some(slid) = self.slid.get_mut(element) {

@@ -1,7 +1,7 @@
 //! Positions of the surfaces on each other within a step, and how far pairs slide in each.
 //!
 //! Surfaces that stay or pass are seen in one position. Those that [swing](super::swing), that [repeat](super::recurring)
-//! themselves and slide past each other, that follow a [table](super::stations), or of which one [turns](super::turning) in the other
+//! themselves and slide past each other, that follow a [table](super::stations), or [turn](super::turning) in each other
 //! are seen in one after the other: in each the contact wears both surfaces implicitly, and the depths are laid down where the points
 //! of each surface are.
 

@@ -234,8 +234,8 @@ impl Influence {
     }
 
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
-    /// elements away: as if all of it stood at its farthest corner, or edge. Layers and shafts may rise next to what presses them:
-    /// there is none.
+    /// elements away: as if all of it stood at its farthest corner, or edge. Layers and shafts may rise next to what presses them,
+    /// and have no bound.
     pub(super) fn least_nn(&self, away: [usize; 2]) -> f64 {
         if !self.images.is_empty() || self.shaft.is_some() {
             return f64::NEG_INFINITY;
