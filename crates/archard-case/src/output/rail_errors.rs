@@ -6,8 +6,9 @@ use super::contacts::{RailContact, patches};
 use crate::verdict;
 use archard_rail::contact::Patch;
 
-/// The largest stated error of all patches, relative: of pressures and temperatures to the largest on their wheel, of areas to all of its contact, of forces to
-/// its load, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
+/// The largest relative stated error of all patches: of pressures and temperatures over the largest on their wheel, areas over all of its
+/// contact, forces over its load, places over the root of the patch's area, creepages over all slip in the patch, to which spin adds its
+/// part at the radius of a circle as large.
 pub(super) fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
     let relative = |(contact, patch): (&RailContact, &Patch)| {
         let (values, errors) = (&patch.values, &patch.errors);

@@ -1,8 +1,8 @@
 //! The same patch on another grid.
 //!
-//! Grids bear the load at heights of the wheel that differ a little, and so may their overlaps: one grid has a patch that another one
-//! misses, or joins two that the other has apart. The counterpart of a patch is the patch over the same width of rail. Where a grid has
-//! none, the wheel stands a gap above: the counterpart bears nothing and lies at the place that touches first.
+//! The height at which the wheel bears its load differs a little from grid to grid, and so do overlaps: a grid may miss a patch of another
+//! one, or join two of its patches. The counterpart of a patch is the patch over the same width of rail. Where a grid has none there is a
+//! gap: the counterpart bears nothing, at the place that would touch first.
 
 use super::Pressed;
 

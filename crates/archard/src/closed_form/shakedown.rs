@@ -1,11 +1,11 @@
 //! Johnson's map: up to what peak pressure a contact that rolls or slides with friction stays elastic, and up to what it shakes down.
 //!
-//! K. L. Johnson, *Contact Mechanics* (1985), sections 7.2 and 9.2. Pressures are over the yield stress in shear k, friction is the
-//! tangential traction over the pressure, all over the contact. First yield is von Mises' at a Poisson's ratio of 0.3, from the whole field:
+//! K. L. Johnson, *Contact Mechanics* (1985), sections 7.2 and 9.2. Pressures are over the yield stress in shear k, friction is the ratio
+//! of tangential traction and pressure in all of the contact. First yield is von Mises' at a Poisson's ratio of 0.3, from the whole field:
 //! Hankel integrals of a ball, McEwen's stresses of a line. A line shakes down after Melan by the shear along the surface (K. L. Johnson &
 //! J. A. Jefferis, 1963). Of a ball only limits are known here (A. R. S. Ponter, A. D. Hearle & K. L. Johnson, *J. Mech. Phys. Solids* 33
-//! (1985) 339): 4.7 without friction, and the surface, which flows from k over the friction on, where that exceeds 0.25 to 0.3. What lies
-//! between them is an estimate.
+//! (1985) 339): 4.7 without friction, and one over the friction, where the surface flows, above a friction of 0.25 to 0.3. Between them it
+//! is an estimate.
 
 /// Friction, and peak pressure of first yield of a ball and of a line, and of the shakedown of a line.
 const LIMITS: [[f64; 4]; 8] = [

@@ -1,8 +1,8 @@
 //! Damage of the material below a contact that wears, by the cycles that it goes through.
 //!
-//! A cycle in which a criterion has the value of a life of N cycles takes an N-th of that life, and shares add up (M. A. Miner, *J. Appl.
-//! Mech.* 12 (1945) A159). A point keeps its place in the material and comes nearer to the surface as that wears; what it has gone through
-//! before counts, and with the surface it goes (J. J. Madge, S. B. Leen & P. H. Shipway, *Wear* 263 (2007) 542).
+//! A cycle whose criterion alone would give a life of N cycles takes an N-th of it, and shares add up (M. A. Miner, *J. Appl.
+//! Mech.* 12 (1945) A159). A point keeps its place in the material and comes nearer to the surface as that wears; its damage so far
+//! counts, until it is worn off with the surface (J. J. Madge, S. B. Leen & P. H. Shipway, *Wear* 263 (2007) 542).
 
 use super::fatigue::{Added, Criterion, Cycle};
 use crate::stress::Components;
@@ -13,7 +13,7 @@ const BETWEEN: usize = 4;
 /// How many cycles a value of a criterion lets live: a line in logarithms (O. H. Basquin, *Proc. ASTM* 10 (1910) 625).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Endurance {
-    /// The value (Pa) of half a cycle.
+    /// The criterion (Pa) at a life of half a cycle, 2N = 1.
     pub strength: f64,
     /// The power of the number of half cycles that the value is in proportion to; negative.
     pub exponent: f64,
@@ -43,7 +43,7 @@ pub struct Tiring {
 #[derive(Debug, Clone)]
 pub struct Damage {
     tiring: Tiring,
-    /// With all that is known; on elements of twice the size; with half of the depths; with half of the cycles that were seen.
+    /// From all data; from elements of twice the size; from half of the depths; from half of the computed cycles.
     sums: [Sum; 4],
 }
 
@@ -53,7 +53,7 @@ type Told = [f64; 2];
 /// What became of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damaged {
-    /// The largest damage of all points, those that are worn off included: one where a life is over.
+    /// The largest damage of all points, also of those worn off; 1 is the end of a life.
     pub largest: Told,
     /// Where that is: along x and y, and up from the unworn surface (m).
     pub place: [f64; 3],
@@ -78,7 +78,7 @@ struct Station {
     worn: Vec<f64>,
 }
 
-/// A sum with a part of what is known.
+/// A sum over a part of the data.
 #[derive(Debug, Clone)]
 struct Sum {
     /// Elements of the size times two to this power.

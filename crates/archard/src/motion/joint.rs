@@ -2,10 +2,10 @@
 //! in the ball.
 //!
 //! The axes are those of the body the load is fixed in: z from the centre through the middle of the frame, where the load acts, x and y
-//! those of the frame. Joints have their angles in sequence, and the sequence matters: here the ball turns by the *flexion* about x, then by the
-//! *adduction* about its turned y, then by the *rotation* about its turned z. Between two stations it turns by one rotation vector w,
-//! exactly that of the relative turn, and a point n R of the socket sees the surface of the ball slide by R w x n, under the load in
-//! between. Where the load is fixed in the ball, the socket turns about it the other way.
+//! those of the frame. Joints have their angles in sequence, and the sequence matters: here the ball turns by the *flexion* about x, then
+//! by the *adduction* about its turned y, then by the *rotation* about its turned z. Between two stations it turns by the rotation vector w
+//! of their relative turn; at a point R n of the socket the ball slides by R w x n, under the mean load. Where the load is fixed in the
+//! ball, the socket turns about it the other way.
 //!
 //! The curve "ISO 14242-1" is drawn *after* that standard, which has to be bought. Extremes (flexion 25 and -18, adduction 7 and -4,
 //! rotation 2 and -11 degrees, 3 kN twice and 0.3 kN, load fixed in the cup, 1 Hz) are those that test laboratories publish. Times of
@@ -93,8 +93,8 @@ const LOAD: Curve =
 pub struct Turn {
     /// Rotation vector (rad) of the body that turns over the one that the load is fixed in, in the axes of the latter.
     pub vector: [f64; 3],
-    /// How it is turned at its start: rows of the matrix that takes its own axes, those of the other one at angles of zero, to the
-    /// other's.
+    /// How it is turned at its start: rows of the matrix from its own axes to those of the other one, which coincide at angles of
+    /// zero.
     pub from: [[f64; 3]; 3],
     /// Load (N) along the pole.
     pub load: f64,
@@ -108,7 +108,7 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// Of stations, the first after the last: flexion, adduction and rotation (rad), and the load (N) on the way to the next.
+    /// Of stations in a closed cycle: flexion, adduction and rotation (rad), and the load (N) on the way to the next.
     ///
     /// # Errors
     /// If there are fewer than two or far too many, an angle is not finite, a load is not greater than zero, the ball turns by a right
@@ -164,7 +164,7 @@ impl Joint {
         Self { turns, in_ball: !self.in_ball }
     }
 
-    /// Which body (0 or 1) turns about the axis of the load, of a socket that is that body.
+    /// Which body (0 or 1) turns under the axis of the load, where the socket is that body.
     pub fn turning(&self, socket: usize) -> usize {
         if self.in_ball { socket } else { 1 - socket }
     }

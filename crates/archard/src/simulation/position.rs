@@ -23,7 +23,7 @@ pub(super) struct Position {
     pub slips: Vec<f64>,
     /// Where (elements from the offset) the surface of each body is meanwhile, and for which share of the distance.
     pub ways: [Vec<([isize; 2], f64)>; 2],
-    /// How each body is turned, whose places under the frame are then these and no offset.
+    /// How each body is turned; its places under the frame then follow from this and not from an offset.
     pub turned: [Option<Turned>; 2],
     /// What is prescribed there; where there is nothing, what the step prescribes.
     pub control: Option<Control>,
@@ -95,7 +95,7 @@ impl Position {
         }
     }
 
-    /// What a body goes through at elements that a pair slides over, of what the pair does in a step.
+    /// What a step of a pair does to each element of a body that the pair slides over.
     pub fn rubbed(
         &self,
         of: (usize, Grid),

@@ -1,8 +1,8 @@
 //! A ball that turns in its socket from station to station.
 //!
 //! In each station the contact is pressed under its load, and each pair slides as far and along the direction that the turn to the
-//! next one moves the ball there. The body that the load is fixed in, and with it the frame, stay. What wears off the other one belongs to
-//! the place that lies there: it has Lambert's map of its own, about the place that is at the pole at angles of zero, on which areas stay.
+//! next one moves the ball there. The body that the load is fixed in, and with it the frame, stay. What wears off the other one is
+//! kept on Lambert's equal-area map of its own, about the place that is at the pole when all angles are zero.
 
 use super::error::Error;
 use super::position::{Position, Positions, Way};
@@ -10,8 +10,8 @@ use crate::frame::{ContactFrame, Wrap};
 use crate::motion::{Control, Joint, Turn};
 use crate::problem::{ContactProblem, ContactState, Grid};
 
-/// Elements from one place to the next, at most, at which wear is laid down on the way of a turn: half of those that a place is shared by
-/// along each axis.
+/// The largest distance (elements) between places of a turn at which wear is laid down: half of the two elements that share a place along
+/// each axis.
 const APART: f64 = 0.5;
 
 type Matrix = [[f64; 3]; 3];
@@ -24,7 +24,7 @@ pub(super) struct Turned {
     first: [f64; 2],
     columns: usize,
     spacing: [f64; 2],
-    /// From its own axes to those of the other body at even parts of the way, an odd number of them.
+    /// Matrices from its own axes to those of the other body, at an odd number of even parts of the way.
     parts: Vec<Matrix>,
 }
 
@@ -58,7 +58,7 @@ impl Turned {
         ([0, 1].map(|axis| (own[axis] - self.first[axis]) / self.spacing[axis]), axis)
     }
 
-    /// The mean of what elements have around the place under a pair, half-way.
+    /// A field of the elements at the place under a pair in the middle of the turn, linear between them.
     pub fn under(&self, grid: Grid, pair: usize, of: impl Fn(usize) -> f64) -> f64 {
         let (place, _) = self.place(pair, &self.parts[self.parts.len() / 2]);
         grid.around(place).into_iter().map(|(element, share)| share * of(element)).sum()
@@ -120,7 +120,7 @@ impl<'a> Turning<'a> {
 }
 
 impl Positions for Turning<'_> {
-    /// That of the body that turns is as large as places that may touch come to lie on it.
+    /// The grid of the body that turns spans all of its places that may touch.
     fn grids(&self) -> [Option<Grid>; 2] {
         let frame = &self.problem.frame;
         let turned = self.wears_turned().map(|body| {

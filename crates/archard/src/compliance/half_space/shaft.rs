@@ -7,10 +7,10 @@
 //! w_n = R/(4 G) [(kappa + 1) n - (kappa - 1)]/(n^2 - 1)
 //! ```
 //!
-//! and for n = 0 the even pressure. A pressure with n = 1 is a force, against which something has to hold the shaft. Here it is a body force
-//! that is the same in all of the shaft, under which w_1 = (1 - 2 nu) R/(4 G) over its axis; another hold on the axis changes w_1 alone, and a
-//! motion w_1 cos(theta) closes gaps as an approach does: pressures do not depend on the hold. A line load has all of them, and the sums
-//! are known: with L = -ln(2 sin|theta/2|) and S = (pi - theta)/2
+//! for n > 1, and for the even pressure n = 0. A pressure with n = 1 is a force, against which something has to hold the shaft. Here it is
+//! a body force that is the same in all of the shaft, under which w_1 = (1 - 2 nu) R/(4 G) over its axis; another hold on the axis changes
+//! w_1 alone, and a motion w_1 cos(theta) closes gaps as an approach does: pressures do not depend on the hold. A line load has all n, with
+//! known sums, with L = -ln(2 sin|theta/2|) and S = (pi - theta)/2
 //!
 //! ```text
 //! sum sin(n theta)/(n^2 - 1)      = sin(theta) (L + 1/4)
@@ -31,7 +31,7 @@ pub(super) struct Shaft {
 }
 
 impl Shaft {
-    /// Displacement under a strip of unit pressure, from its edge at a distance (m) along the arc, up to a turn from it (m/Pa).
+    /// Displacement (m/Pa) at the edge of a strip of unit pressure that reaches as far along the arc (m), with the sign of that.
     pub fn strip(&self, x: f64) -> f64 {
         let Material { poisson, .. } = self.material;
         let kappa = 3.0 - 4.0 * poisson;
