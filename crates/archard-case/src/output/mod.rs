@@ -65,6 +65,7 @@ mod sheet;
 mod standards;
 mod store;
 mod stress;
+mod stress_errors;
 mod summary;
 mod surface;
 mod table;

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::damage::{self, WantedDamage};
 use super::elastic::{section_file, write_sections};
+use super::stress_errors::judged;
 use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict::{self, Word};
@@ -238,44 +239,6 @@ pub(super) fn write(
         }));
     }
     Ok((block, lines))
-}
-
-/// Whether the body yields, and how far off its largest stresses and those at its interfaces may be.
-fn judged((body, strengths): (&Body, &[Option<f64>]), maxima: &Maxima) -> Vec<verdict::Line> {
-    let largest = maxima.largest(0);
-    let used = maxima.pieces.iter().filter_map(|piece| {
-        let share = maxima.largest_in(piece, 0)?.value / strengths[piece.index]?;
-        Some((share, piece.index))
-    });
-    let most = used.max_by(|one, other| one.0.total_cmp(&other.0));
-    let yields = most.map(|(share, index)| {
-        let layers = body.layers.len();
-        let name = if index < layers {
-            format!("{}, layer {}", body.name, index + 1)
-        } else {
-            body.name.clone()
-        };
-        verdict::yields(share, &name)
-    });
-    let of = format!("largest equivalent stress of `{}`", body.name);
-    let stated = largest.filter(|own| own.value > 0.0);
-    let stated = stated.map(|own| verdict::measured(own.error / own.value, &of));
-    let faces = maxima.interfaces.iter().map(off);
-    let worst = faces.max_by(f64::total_cmp);
-    let of = format!("stresses at an interface of `{}`, over the largest there", body.name);
-    let at_faces = worst.map(|error| verdict::measured(error, &of));
-    yields.into_iter().chain(stated).chain(at_faces).collect()
-}
-
-/// The largest error of the stresses at an interface, over the largest of them.
-fn off(face: &Interface) -> f64 {
-    let sides = [Some(&face.above), face.below.as_ref()].into_iter().flatten();
-    let along = sides.flat_map(|side| [&side.most, &side.least]);
-    let all: Vec<&Maximum> =
-        [&face.pull, &face.press, &face.shear].into_iter().chain(along).collect();
-    let largest = all.iter().map(|own| own.value.abs()).fold(0.0, f64::max);
-    let error = all.iter().map(|own| own.error).fold(0.0, f64::max);
-    if largest > 0.0 { error / largest } else { 0.0 }
 }
 
 /// A row a depth.
