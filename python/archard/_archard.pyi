@@ -20,6 +20,8 @@ __all__ = [
     "fit",
     "free_memory",
     "knows_unit",
+    "laws",
+    "materials",
     "next_tests",
     "numbers",
     "page",
