@@ -9,7 +9,8 @@ import subprocess
 import sys
 import tempfile
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -43,19 +44,29 @@ def run(
     words += [] if design is None else [f"--design={design}"]
     words += [] if progress else ["--quiet"]
     own = case._in(out.absolute() / "surfaces") if case._held else case
-    # A case stands in its own folder, from which the files that it names are looked for.
-    with tempfile.NamedTemporaryFile(
-        "w", suffix=".toml", prefix=".archard-", dir=own._folder, encoding="utf-8"
-    ) as file:
-        file.write(own._text)
-        file.flush()
+    with _file(own) as file:
         settings = [f"--set={option}" for option in own._options]
-        command = [sys.executable, "-m", "archard", "sweep", file.name, *words, *settings, "-o", os.fspath(out)]
+        command = [sys.executable, "-m", "archard", "sweep", file, *words, *settings, "-o", os.fspath(out)]
         ended = subprocess.run(command, stderr=None if progress else subprocess.PIPE, text=True, check=False)
     # A row that failed is a row of the table.
     if ended.returncode not in (0, 1) or not (out / "sweep.csv").is_file():
         raise ValueError((ended.stderr or "the study did not end").strip())
     return read(out)
+
+
+@contextmanager
+def _file(case: Case) -> Iterator[str]:
+    """Return a file of the case as written: its own, or one where the files that it names are looked for."""
+    own = Path(case._name)
+    if own.is_file() and own.read_text("utf-8") == case._text:
+        yield os.fspath(own)
+        return
+    with tempfile.NamedTemporaryFile(
+        "w", suffix=".toml", prefix=".archard-", dir=case._folder, encoding="utf-8"
+    ) as file:
+        file.write(case._text)
+        file.flush()
+        yield file.name
 
 
 def read(folder: Path) -> Sweep:

@@ -23,6 +23,7 @@ from archard._units import bare, shown
 from archard.case import Case
 from archard.result import Result
 from archard.result import open as open_result
+from archard.run import bar
 
 
 class _Laws(NamedTuple):
@@ -311,17 +312,6 @@ def _put_design(folder: Path, values: list[list[_Value]]) -> None:
     part.replace(folder / "study.json")
 
 
-def shown_rows(rows: Sequence[Any], progress: bool) -> Iterable[Any]:
-    """Return rows below a bar, where one is wanted and there is tqdm."""
-    if progress:
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            return rows
-        return tqdm(rows, unit="row")  # type: ignore[no-any-return]
-    return rows
-
-
 def _rows(over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
     if isinstance(over, Mapping):
         for key, values in over.items():
@@ -347,9 +337,11 @@ def _run_all(
     futures = [executor.submit(_run, case, folder, laws) for case, folder in pairs]
     try:
         outcomes = []
-        for number, future in enumerate(shown_rows(futures, progress), 1):
-            outcomes.append(future.result())
-            log.info("row %d of %d: %s", number, len(futures), outcomes[-1][1] or "done")
+        with bar(progress) as show:
+            for number, future in enumerate(futures, 1):
+                outcomes.append(future.result())
+                log.info("row %d of %d: %s", number, len(futures), outcomes[-1][1] or "done")
+                show(number, len(futures))
     except BaseException:
         for future in futures:
             future.cancel()

@@ -104,7 +104,7 @@ class Run:
     def through(self, *, progress: bool = False, on_step: Callable[[State], object] | None = None) -> Result:
         """Go on to the end of the motion; see :meth:`Case.run`."""
         try:
-            with _bar(progress) as show:
+            with bar(progress) as show:
                 while self._advance():
                     show(*self._run.progress())
                     if on_step is not None:
@@ -255,7 +255,7 @@ def _cause(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def _bar(progress: bool) -> Iterator[Callable[[float, float], object]]:
+def bar(progress: bool) -> Iterator[Callable[[float, float], object]]:
     """A bar where it is asked for and can be had; log messages otherwise."""
     try:
         tqdm = importlib.import_module("tqdm.auto").tqdm if progress else None

@@ -1,22 +1,13 @@
 //! A patch that bears so little that only some of the grids have it.
 
-use std::sync::Arc;
+mod simple;
 
-use archard::Material;
-use archard::friction::Coulomb;
-use archard_rail::Profile;
-use archard_rail::contact::{Bodies, Operation, Patch, Resolution, contact};
-use archard_rail::curve::{Curve, Smoothing};
-use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
+use archard_rail::contact::{Patch, Resolution, contact};
+use archard_rail::setup::{Attitude, Setup, Track};
+use simple::{ARM, bodies, curve, operation, wheelset};
 
-/// Radius (m) of the wheel, its distance (m) from the middle of the axle, and the load (N).
-const RADIUS: f64 = 0.46;
-const ARM: f64 = 0.75;
+/// Load (N) on the wheel.
 const LOAD: f64 = 20e3;
-
-fn curve(points: impl Iterator<Item = [f64; 2]>) -> Curve {
-    Profile::new(points.collect()).unwrap().curve(Smoothing::NONE).unwrap()
-}
 
 /// Two bumps of a wheel, 100 mm in radius and 24 mm apart, of which the one towards the flange is so much (m) less high, on a
 /// nearly flat rail.
@@ -27,36 +18,13 @@ fn bumps(less: f64) -> Setup {
     let height = |y: f64| -(y.abs() - 12e-3).powi(2) / 0.2 - if y < 0.0 { less } else { 0.0 };
     let wheel = curve(places.map(|y| [y, height(y)]));
     let track = Track { gauge: 2.0 * (ARM - 0.04), gauge_height: 1.0, cant: 0.0 };
-    let wheelset = Wheelset {
-        flange_back_distance: 1.36,
-        flange_back_position: -0.07,
-        nominal_radius: RADIUS,
-    };
-    Setup::new(track, &head, wheelset, &wheel).unwrap()
+    Setup::new(track, &head, wheelset(), &wheel).unwrap()
 }
 
 fn patches(setup: &Setup, elements: usize) -> Vec<Patch> {
-    let steel = Material::new(210e9, 0.3).unwrap();
-    let bodies = Bodies {
-        wheel: steel,
-        rail: steel,
-        thermal: [None, None],
-        friction: Arc::new(Coulomb::new(0.3).unwrap()),
-        flange: None,
-        wear: [None, None],
-        flange_wear: None,
-        shear_yield: 800e6,
-    };
-    let pitch = -2.02 / RADIUS;
-    let operation = Operation {
-        attitude: Attitude::default(),
-        velocity: Velocity { forward: 2.0, pitch, ..Velocity::default() },
-        load: LOAD,
-        transfer: 0.0,
-        creepages: Default::default(),
-    };
+    let operation = operation(Attitude::default(), (2.0, 0.01), LOAD);
     let resolution = Resolution { elements, ..Resolution::default() };
-    contact(setup, &bodies, &operation, &resolution).unwrap()
+    contact(setup, &bodies(0.3), &operation, &resolution).unwrap()
 }
 
 /// Between the least height that a grid misses and the most that it has, which a bisection finds, the second bump bears next to

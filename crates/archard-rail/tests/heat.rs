@@ -1,63 +1,29 @@
 //! Heat of friction between a wheel and its rail: flash temperatures in closed form, and friction that falls with them.
 
+mod simple;
+
 use std::sync::Arc;
 
-use archard::Material;
 use archard::body::{Thermal, contact_modulus};
 use archard::closed_form::Hertz;
 use archard::closed_form::flash_temperature::{peclet, semi_ellipse};
 use archard::friction::{Circumstance, Coulomb, Friction, Table};
-use archard_rail::Profile;
-use archard_rail::contact::{Bodies, Operation, Patch, Resolution, contact};
-use archard_rail::curve::{Curve, Smoothing};
-use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
+use archard_rail::contact::{Bodies, Patch, Resolution, contact};
+use archard_rail::setup::Attitude;
+use simple::{HEAD, WHEEL, bodies, cone, operation, steel};
 
-/// Radii (m) of the wheel and of the head of the rail, where the rail stands (m), the load (N), the speed (m/s).
-const WHEEL: f64 = 0.46;
-const HEAD: f64 = 0.3;
-const ARM: f64 = 0.75;
+/// Load (N) and speed (m/s).
 const LOAD: f64 = 50e3;
 const SPEED: f64 = 10.0;
 /// Temperature (K) of wheel and rail.
 const BULK: f64 = 293.15;
 
-fn curve(points: impl Iterator<Item = [f64; 2]>) -> Curve {
-    Profile::new(points.collect()).unwrap().curve(Smoothing::NONE).unwrap()
-}
-
-fn steel() -> Material {
-    Material::new(210e9, 0.3).unwrap()
-}
-
 /// A cylinder on a round head, driven by a share of its speed.
 fn driven(share: f64, friction: Arc<dyn Friction>, elements: usize) -> Patch {
-    let angles = (-400..=400).map(|at| f64::from(at) * 5e-4);
-    let head = curve(angles.map(|angle| [HEAD * angle.sin(), HEAD - HEAD * angle.cos()]));
-    let wheel = curve((-60..=60).rev().map(|at| [f64::from(at) * 1e-3, 0.0]));
-    let gauge = 2.0 * (ARM - HEAD * 0.2f64.sin());
-    let track = Track { gauge, gauge_height: 1.0, cant: 0.0 };
-    let wheelset =
-        Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: WHEEL };
-    let setup = Setup::new(track, &head, wheelset, &wheel).unwrap();
+    let setup = cone(0.0, 0.06);
     let heat = Thermal::new(50.0, 13e-6).unwrap().at(BULK).unwrap();
-    let bodies = Bodies {
-        wheel: steel(),
-        rail: steel(),
-        thermal: [Some(heat); 2],
-        friction,
-        flange: None,
-        wear: [None, None],
-        flange_wear: None,
-        shear_yield: 800e6,
-    };
-    let pitch = -SPEED * (1.0 + share) / WHEEL;
-    let operation = Operation {
-        attitude: Attitude::default(),
-        velocity: Velocity { forward: SPEED, pitch, ..Velocity::default() },
-        load: LOAD,
-        transfer: 0.0,
-        creepages: Default::default(),
-    };
+    let bodies = Bodies { thermal: [Some(heat); 2], friction, ..bodies(0.3) };
+    let operation = operation(Attitude::default(), (SPEED, share), LOAD);
     let resolution = Resolution { elements, curved: false, ..Resolution::default() };
     contact(&setup, &bodies, &operation, &resolution).unwrap().remove(0)
 }

@@ -1,68 +1,25 @@
 //! A cylinder on a rail with a circular head, where Hertz's theory gives the contact, and what cannot be a contact.
 
+mod simple;
+
 use std::sync::Arc;
 
 use archard::Material;
 use archard::body::contact_modulus;
 use archard::closed_form::Hertz;
 use archard::friction::Coulomb;
+use archard_rail::Invalid;
 use archard_rail::contact::{Bodies, ContactError, Operation, Patch, Resolution, contact, pitch};
-use archard_rail::curve::{Curve, Smoothing};
-use archard_rail::setup::{Attitude, Setup, Side, Track, Velocity, Wheelset};
+use archard_rail::curve::Smoothing;
+use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
-use archard_rail::{Invalid, Profile};
+use simple::{ARM, HEAD, WHEEL, bodies, cone, curve, wheelset};
 
-/// Radii (m) of the wheel and of the head of the rail, and where the rail stands (m).
-const WHEEL: f64 = 0.46;
-const HEAD: f64 = 0.3;
-const ARM: f64 = 0.75;
 const LOAD: f64 = 50e3;
-
-fn curve(points: impl Iterator<Item = [f64; 2]>) -> Curve {
-    Profile::new(points.collect()).unwrap().curve(Smoothing::NONE).unwrap()
-}
-
-fn wheelset() -> Wheelset {
-    Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: WHEEL }
-}
-
-/// A straight wheel of that slope that is so wide to both sides of its middle (m), on an arc of 0.2 rad to both sides.
-fn cone(slope: f64, half: f64) -> Setup {
-    let angles = (-400..=400).map(|at| f64::from(at) * 5e-4);
-    let head = curve(angles.map(|angle| [HEAD * angle.sin(), HEAD - HEAD * angle.cos()]));
-    let places = (-60..=60).rev().map(|at| f64::from(at) / 60.0 * half);
-    let wheel = curve(places.map(|y| [y, -slope * y]));
-    let gauge = 2.0 * (ARM - HEAD * 0.2f64.sin());
-    let track = Track { gauge, gauge_height: 1.0, cant: 0.0 };
-    Setup::new(track, &head, wheelset(), &wheel).unwrap()
-}
-
-fn bodies(coefficient: f64) -> Bodies {
-    let steel = Material::new(210e9, 0.3).unwrap();
-    let friction = Arc::new(Coulomb::new(coefficient).unwrap());
-    Bodies {
-        wheel: steel,
-        rail: steel,
-        thermal: [None, None],
-        friction,
-        flange: None,
-        wear: [None, None],
-        flange_wear: None,
-        shear_yield: 800e6,
-    }
-}
 
 /// A wheelset that yaws, is driven by a share of its speed and carries a load (N) on the wheel.
 fn operation(yaw: f64, driven: f64, load: f64) -> Operation {
-    let pitch = -2.0 * (1.0 + driven) / WHEEL;
-    let velocity = Velocity { forward: 2.0, pitch, ..Velocity::default() };
-    Operation {
-        attitude: Attitude { yaw, ..Attitude::default() },
-        velocity,
-        load,
-        transfer: 0.0,
-        creepages: Default::default(),
-    }
+    simple::operation(Attitude { yaw, ..Attitude::default() }, (2.0, driven), load)
 }
 
 fn one(setup: &Setup, coefficient: f64, operation: &Operation) -> Patch {

@@ -1,44 +1,25 @@
 //! A wheel on a roller: Hertz's contact of both curvatures, the place of a yawed wheel, creepages and spin in closed form.
 
-use std::sync::Arc;
+mod simple;
 
-use archard::Material;
 use archard::body::contact_modulus;
 use archard::closed_form::Hertz;
-use archard::friction::Coulomb;
-use archard_rail::Profile;
-use archard_rail::contact::{Bodies, Operation, Patch, Resolution, contact};
+use archard_rail::contact::{Patch, Resolution, contact};
 use archard_rail::creepage::Creepage;
-use archard_rail::curve::{Curve, Smoothing};
+use archard_rail::curve::Smoothing;
 use archard_rail::search::{JOIN, Search};
-use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
+use archard_rail::setup::{Attitude, Setup, Track, Velocity};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
+use simple::{ARM, HEAD, WHEEL, bodies, cone, operation, steel, wheelset};
 
-/// Radii (m) of the wheel, of the head of the rail and of the roller, and where they stand (m).
-const WHEEL: f64 = 0.46;
-const HEAD: f64 = 0.3;
+/// Radius (m) of the roller, load (N) and speed (m/s).
 const ROLLER: f64 = 0.35;
-const ARM: f64 = 0.75;
 const LOAD: f64 = 50e3;
 const SPEED: f64 = 2.0;
 
-fn curve(points: impl Iterator<Item = [f64; 2]>) -> Curve {
-    Profile::new(points.collect()).unwrap().curve(Smoothing::NONE).unwrap()
-}
-
-fn wheelset() -> Wheelset {
-    Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: WHEEL }
-}
-
 /// A straight wheel of that slope on a roller whose rim is round.
-fn cone(slope: f64) -> Setup {
-    let angles = (-400..=400).map(|at| f64::from(at) * 5e-4);
-    let head = curve(angles.map(|angle| [HEAD * angle.sin(), HEAD - HEAD * angle.cos()]));
-    let places = (-60..=60).rev().map(|at| f64::from(at) * 1e-3);
-    let wheel = curve(places.map(|y| [y, -slope * y]));
-    let gauge = 2.0 * (ARM - HEAD * 0.2f64.sin());
-    let track = Track { gauge, gauge_height: 1.0, cant: 0.0 };
-    Setup::new(track, &head, wheelset(), &wheel).unwrap().on_a_roller(ROLLER).unwrap()
+fn on_a_roller(slope: f64) -> Setup {
+    cone(slope, 0.06).on_a_roller(ROLLER).unwrap()
 }
 
 fn s1002_on_60e1() -> Setup {
@@ -47,36 +28,15 @@ fn s1002_on_60e1() -> Setup {
     Setup::new(Track::standard(), &rail, wheelset(), &wheel).unwrap()
 }
 
-fn steel() -> Material {
-    Material::new(210e9, 0.3).unwrap()
-}
-
 fn solved(setup: &Setup, attitude: Attitude, driven: f64) -> Vec<Patch> {
-    let bodies = Bodies {
-        wheel: steel(),
-        rail: steel(),
-        thermal: [None, None],
-        friction: Arc::new(Coulomb::new(0.3).unwrap()),
-        flange: None,
-        wear: [None, None],
-        flange_wear: None,
-        shear_yield: 800e6,
-    };
-    let pitch = -SPEED * (1.0 + driven) / WHEEL;
-    let operation = Operation {
-        attitude,
-        velocity: Velocity { forward: SPEED, pitch, ..Velocity::default() },
-        load: LOAD,
-        transfer: 0.0,
-        creepages: Default::default(),
-    };
-    contact(setup, &bodies, &operation, &Resolution::default()).unwrap()
+    let operation = operation(attitude, (SPEED, driven), LOAD);
+    contact(setup, &bodies(0.3), &operation, &Resolution::default()).unwrap()
 }
 
 /// Peak, area and approach are those of Hertz with 1/R of the wheel and of the roller along the track, to the errors told.
 #[test]
 fn a_cylinder_is_pressed_on_a_roller_as_hertz_says() {
-    let patches = solved(&cone(0.0), Attitude::default(), 0.02);
+    let patches = solved(&on_a_roller(0.0), Attitude::default(), 0.02);
     let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
     let modulus = contact_modulus([Some(&steel()), Some(&steel())]);
     let along = 1.0 / WHEEL + 1.0 / ROLLER;
@@ -102,7 +62,7 @@ fn a_cylinder_is_pressed_on_a_roller_as_hertz_says() {
 /// found by halving, from nothing but two lines in space.
 #[test]
 fn a_yawed_cylinder_touches_where_axle_and_ring_are_nearest() {
-    let setup = cone(0.0);
+    let setup = on_a_roller(0.0);
     for yaw in [0.0f64, 0.01, -0.04] {
         let (sin, cos) = yaw.sin_cos();
         let ring = ROLLER - HEAD;
@@ -144,7 +104,7 @@ fn a_yawed_cylinder_touches_where_axle_and_ring_are_nearest() {
 /// by the sine of the contact angle.
 #[test]
 fn spin_and_creepage_are_those_of_both_rotations() {
-    let setup = cone(0.1);
+    let setup = on_a_roller(0.1);
     let search = Search::new(&setup, Attitude::default()).unwrap();
     let height = search.onset().unwrap().height + 20e-6;
     let patch = search.patches(height, JOIN).unwrap().remove(0);

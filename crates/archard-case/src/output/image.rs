@@ -34,12 +34,9 @@ impl Image {
     /// coordinates of the body; `None` of any other.
     pub fn of_roaming(problem: &ContactProblem, state: &ContactState, body: usize) -> Option<Self> {
         let (frame, surface) = (&problem.frame, &state.surfaces[body]);
+        surface.grid.swings()?;
+        let shown = problem.motion.shown_offset(body)?;
         let (spacing, corner) = (frame.spacing(), frame.rectangle().corner());
-        let shown = match problem.motion.table() {
-            Some(table) if problem.motion.roams(body) => table.rows()[table.shown()].offsets[body],
-            None if problem.motion.joint().is_some() && surface.grid.swings().is_some() => [0.0; 2],
-            _ => return None,
-        };
         let before = surface.grid.before();
         let first = |axis: usize| shown[axis] + corner[axis] - before[axis] as f64 * spacing[axis];
         let name = format!("wear_{}_m", problem.bodies[body].name);

@@ -218,8 +218,8 @@ impl Site {
     }
 
     /// What the creepage gains with the square of s (1/m^2), as the surface between wheel and rail leaves the tangent plane: a point that
-    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more, on a roller dz over its radius, too. The curvature is that of the parabola
-    /// nearest to the surface, weighted by the overlap.
+    /// lies lower by dz rolls on a radius larger by dz, and so creeps dz over the radius more, on a roller dz over its radius, too. The
+    /// curvature is that of the parabola nearest to the surface, weighted by the overlap.
     fn bow(&self, search: &Search<'_>) -> f64 {
         let cos = self.patch.angle.cos();
         let reference = self.patch.reference;

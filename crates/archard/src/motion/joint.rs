@@ -204,10 +204,7 @@ impl Joint {
 
     /// By how much (rad) the bodies turn over each other in a cycle.
     pub fn angle(&self) -> f64 {
-        self.turns
-            .iter()
-            .map(|turn| turn.vector.map(|one| one * one).iter().sum::<f64>().sqrt())
-            .sum()
+        self.turns.iter().map(Turn::angle).sum()
     }
 }
 
@@ -218,9 +215,14 @@ impl Turn {
         [b * z - c * y, c * x - a * z, a * y - b * x]
     }
 
-    /// How the ball is turned after a share of the way, as [`Turn::from`].
+    /// By how much (rad) it turns.
+    pub fn angle(&self) -> f64 {
+        self.vector.map(|one| one * one).iter().sum::<f64>().sqrt()
+    }
+
+    /// How the body is turned after a share of the way, as [`Turn::from`].
     pub fn after(&self, share: f64) -> [[f64; 3]; 3] {
-        let far = self.vector.map(|one| one * one).iter().sum::<f64>().sqrt();
+        let far = self.angle();
         let [x, y, z] = self.vector.map(|one| if far > 0.0 { one / far } else { 0.0 });
         let (s, c) = (share * far).sin_cos();
         let along = |one: f64, other: f64| one * other * (1.0 - c);

@@ -329,6 +329,23 @@ impl Motion {
         if let Sequence::Joint(joint) = &self.sequence { Some(joint) } else { None }
     }
 
+    /// The largest angle (rad) between the load and the pole of the socket in which a ball turns.
+    pub fn tilt(&self) -> f64 {
+        self.joint().map_or(0.0, Joint::tilt)
+    }
+
+    /// Where (m) the surface of a body that has elements of its own lies under the frame in the contact that is shown: of a body that
+    /// roams, or turns in a joint; `None` of others.
+    pub fn shown_offset(&self, body: usize) -> Option<[f64; 2]> {
+        match &self.sequence {
+            Sequence::Table(table) => {
+                self.roams(body).then(|| table.rows()[table.shown()].offsets[body])
+            }
+            Sequence::Joint(_) => Some([0.0; 2]),
+            _ => None,
+        }
+    }
+
     /// Whether the surface of a body moves under the contact from station to station of a table.
     pub fn roams(&self, body: usize) -> bool {
         self.surfaces[body] == Passage::Roams

@@ -10,7 +10,6 @@ use super::turning::Turned;
 use crate::motion::{Control, Lever};
 use crate::numerics::vector::Values;
 use crate::problem::{ContactProblem, ContactState, Grid, Surface};
-use crate::wear::Rubbing;
 
 /// A position of the surfaces, and how far pairs slide there in a step.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,21 +58,11 @@ impl Position {
         Self { mean: None, slips: (0..problem.frame.len()).map(slip).collect(), ..middle }
     }
 
-    /// The depth (m) worn off a body under a pair, half-way.
-    pub fn depth_under(&self, (body, surface): (usize, &Surface), pair: usize) -> f64 {
-        match &self.turned[body] {
-            None => surface.depth[surface.grid.at(pair, self.offsets[body])],
-            Some(turned) => turned.under(surface.grid, pair, |element| surface.depth[element]),
-        }
-    }
-
     /// How far (m) a body slid and how deep (m) it wore so far under a pair, half-way.
     pub fn before(&self, (body, surface): (usize, &Surface), pair: usize) -> [f64; 2] {
         match &self.turned[body] {
             None => surface.before(surface.grid.at(pair, self.offsets[body])),
-            Some(turned) => [0, 1].map(|part| {
-                turned.under(surface.grid, pair, |element| surface.before(element)[part])
-            }),
+            Some(turned) => turned.under(surface.grid, pair, |element| surface.before(element)),
         }
     }
 
@@ -93,19 +82,6 @@ impl Position {
         for ([along, across], share) in &self.ways[body] {
             each(grid.at(pair, [x + along, y + across]), *share, None);
         }
-    }
-
-    /// What a step of a pair does to each element of a body that the pair slides over.
-    pub fn rubbed(
-        &self,
-        of: (usize, Grid),
-        (pair, rubbing): (usize, Rubbing),
-        mut each: impl FnMut(usize, Rubbing),
-    ) {
-        self.swept(of, pair, |element, share, axis| {
-            let part = rubbing.share(share);
-            each(element, axis.map_or(part, |axis| part.along(axis)));
-        });
     }
 
     /// Distance (m) that pairs slide.
@@ -182,7 +158,7 @@ pub(super) fn gap(
     let bodies = positions.bodies();
     let at = |pair: usize| {
         let [stays, moves] =
-            bodies.map(|body| position.depth_under((body, &state.surfaces[body]), pair));
+            bodies.map(|body| position.before((body, &state.surfaces[body]), pair)[1]);
         let gap = frame.gap()[pair] + positions.opening(pair, position) + stays + moves;
         gap.is_finite().then_some(gap)
     };

@@ -15,7 +15,7 @@ use crate::wear::Input;
 
 /// Elements from one place to the next, at most, at which wear is laid down on the way between stations: half of those that a place is
 /// shared by along each axis.
-const APART: f64 = 0.5;
+pub(super) const APART: f64 = 0.5;
 
 /// The sine of a turn of the way below which it is straight: the root of what rounding leaves.
 const STRAIGHT: f64 = 1.5e-8;

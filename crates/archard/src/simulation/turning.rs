@@ -6,13 +6,10 @@
 
 use super::error::Error;
 use super::position::{Position, Positions, Way};
+use super::stations::APART;
 use crate::frame::{ContactFrame, Wrap};
 use crate::motion::{Control, Joint, Turn};
 use crate::problem::{ContactProblem, ContactState, Grid};
-
-/// The largest distance (elements) between places of a turn at which wear is laid down: half of the two elements that share a place along
-/// each axis.
-const APART: f64 = 0.5;
 
 type Matrix = [[f64; 3]; 3];
 
@@ -31,7 +28,7 @@ pub(super) struct Turned {
 impl Turned {
     fn new(frame: &ContactFrame, wrap: Wrap, turn: &Turn) -> Self {
         let spacing = frame.spacing();
-        let far = turn.vector.map(|one| one * one).iter().sum::<f64>().sqrt() * wrap.radius;
+        let far = turn.angle() * wrap.radius;
         let count = 1 + 2 * (0.5 * far / (APART * spacing[0].min(spacing[1]))).ceil() as usize;
         let part = |one: usize| turn.after((one as f64 + 0.5) / count as f64);
         Self {
@@ -58,10 +55,13 @@ impl Turned {
         ([0, 1].map(|axis| (own[axis] - self.first[axis]) / self.spacing[axis]), axis)
     }
 
-    /// A field of the elements at the place under a pair in the middle of the turn, linear between them.
-    pub fn under(&self, grid: Grid, pair: usize, of: impl Fn(usize) -> f64) -> f64 {
+    /// Two fields of the elements at the place under a pair in the middle of the turn, linear between them.
+    pub fn under(&self, grid: Grid, pair: usize, of: impl Fn(usize) -> [f64; 2]) -> [f64; 2] {
         let (place, _) = self.place(pair, &self.parts[self.parts.len() / 2]);
-        grid.around(place).into_iter().map(|(element, share)| share * of(element)).sum()
+        grid.around(place).into_iter().fold([0.0; 2], |[a, b], (element, share)| {
+            let [one, two] = of(element);
+            [a + share * one, b + share * two]
+        })
     }
 
     /// The elements that a pair slides over, the share of the way over each, and the direction of the pair's first axis there.

@@ -44,7 +44,10 @@ pub(super) fn coefficients(
         for pair in (0..rigid.len()).filter(|&pair| state.pressure[pair] > 0.0) {
             let once = rubbing(pair).share(1.0 / increment.advance);
             for body in (0..2).filter(|&body| wearing[body]) {
-                position.rubbed((body, state.surfaces[body].grid), (pair, once), |place, part| {
+                let of = (body, state.surfaces[body].grid);
+                position.swept(of, pair, |place, share, axis| {
+                    let part = once.share(share);
+                    let part = axis.map_or(part, |axis| part.along(axis));
                     let before: &mut Option<Rubbing> = &mut whole[body][place];
                     *before = Some(before.map_or(part, |before| before.then(part)));
                 });

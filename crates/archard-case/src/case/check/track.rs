@@ -22,7 +22,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 /// Both bodies wear and nothing is said of how their surfaces meet.
 fn stays(parts: &Parts<'_>) -> Option<Problem> {
     let motion = &parts.motion;
-    if motion.lever_arm().is_none() || !motion.stays() || motion.joint().is_some() {
+    if motion.lever_arm().is_none() || !motion.stays() || motion.has_positions() {
         return None;
     }
     let said = parts.case.motion.values.get("surfaces").is_some();

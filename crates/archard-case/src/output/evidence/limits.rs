@@ -11,7 +11,6 @@ use archard::body::Body;
 use archard::body::profile::Round;
 use archard::estimate::Conforming;
 use archard::frame::{ContactFrame, VectorField};
-use archard::motion::Joint;
 use archard::problem::{ContactProblem, Flash};
 use archard::simulation::Report;
 
@@ -109,8 +108,8 @@ impl Limits {
             worst(&mut self.ball, elastic.then_some(angle));
             let thick = problem.bodies[wrap.hollow].coated();
             if wrap.round == Round::Sphere && thick > 0.0 {
-                let tilt = problem.motion.joint().map_or(0.0, Joint::tilt);
-                let room = (wrap.rim - tilt - angle.to_radians()) * wrap.radius / thick;
+                let room =
+                    (wrap.rim - problem.motion.tilt() - angle.to_radians()) * wrap.radius / thick;
                 self.rim = Some(self.rim.map_or(room, |known| known.min(room)));
             }
             self.clearance = Some(wrap.clearance / wrap.radius);
