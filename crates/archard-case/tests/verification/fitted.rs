@@ -350,6 +350,28 @@ fn balls_in_thin_layers_wear_as_columns() {
     }
 }
 
+/// A ball that turns about the load alone wears as its socket would: both slide in the same circles. Its elements and those of the socket
+/// are turned against each other, by which wear has no ripples.
+#[test]
+fn balls_that_turn_about_the_load_wear_as_their_sockets() {
+    let law = || -> Option<Arc<dyn WearLaw>> { Some(Arc::new(Archard::new(1e-15).unwrap())) };
+    let angles = [0.0, 20.0, 40.0, 20.0].map(|angle: f64| [0.0, 0.0, angle.to_radians()]);
+    let [ball, socket] = [0, 1].map(|body| {
+        let mut bodies = bodies(Round::Sphere, [14.0, 0.1, 8.0], [1000.0, 0.4]);
+        bodies[body].wear = law();
+        let joint = Joint::new(&angles, &[1e3; 4]).unwrap();
+        let planned = joint.over(Cycles::new(500_000).jump(100_000)).unwrap();
+        let simulation =
+            Simulation::builder(bodies, planned).frame([24e-3; 2], [41; 2]).build().unwrap();
+        let mut worn = Worn::default();
+        simulation.run(&mut [&mut worn]).unwrap();
+        worn.0[body]
+    });
+    println!("{ball:?} {socket:?}");
+    assert_relative_eq!(ball[0], socket[0], max_relative = 1e-3);
+    assert_relative_eq!(ball[1], socket[1], max_relative = 5e-3);
+}
+
 /// A load that is fixed in the ball wears ball and socket as one that is fixed in the socket wears socket and ball, if the ball turns the
 /// other way: by the angles of the transposed matrices.
 #[test]

@@ -7,10 +7,11 @@
 use super::error::Error;
 use super::passing::{Lines, OfLines};
 use super::position::Position;
+use super::turning::Turned;
 use crate::friction::Circumstance;
 use crate::motion::Passing;
 use crate::numerics::vector::{self, Values};
-use crate::problem::{ContactProblem, ContactState, Wear};
+use crate::problem::{ContactProblem, ContactState, Surface, Wear};
 use crate::wear::Rubbing;
 
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
@@ -179,28 +180,29 @@ impl<'a> Collector<'a> {
             let Some(wear) = &made.pairs else { break };
             let surface = &mut state.surfaces[body];
             let coefficients = self.coefficients[body].as_deref();
-            if coefficients.is_none() && position.turned[body].is_none() {
+            if let Some(turned) = &position.turned[body] {
+                wear_turned(surface, wear, (body, coefficients), (turned, position));
+                continue;
+            }
+            let Some(own) = coefficients else {
                 let [x, y] = position.offsets[body];
                 for ([along, across], share) in &position.ways[body] {
                     let offset = [x + along, y + across];
                     surface.wear((&wear.depths[body], &wear.slip), offset, *share);
                 }
                 continue;
-            }
+            };
             let of = (body, surface.grid);
             for (pair, (depth, slip)) in wear.depths[body].iter().zip(&wear.slip).enumerate() {
                 if *depth == 0.0 && *slip == 0.0 {
                     continue;
                 }
-                // What each place of the way has of the mean over it.
-                let part = coefficients.map(|own| {
-                    let mut mean = 0.0;
-                    position.swept(of, pair, |element, share, _| mean += share * own[element]);
-                    move |element: usize| if mean > 0.0 { own[element] / mean } else { 1.0 }
-                });
+                let mut mean = 0.0;
+                position.swept(of, pair, |element, share, _| mean += share * own[element]);
                 position.swept(of, pair, |element, share, _| {
-                    let own = part.as_ref().map_or(1.0, |part| part(element));
-                    surface.wear_element(element, [share * own * depth, share * slip]);
+                    // What each place of the way has of the mean over it.
+                    let part = if mean > 0.0 { own[element] / mean } else { 1.0 };
+                    surface.wear_element(element, [share * part * depth, share * slip]);
                 });
             }
         }
@@ -275,6 +277,34 @@ impl Foreseen {
     /// How lines do to the pressure (Pa) on one of their pairs.
     pub fn line_slopes(&self) -> Option<&[f64]> {
         self.lines.as_ref().map(|[_, slope]| &slope[..])
+    }
+}
+
+/// Wears a body that turns under the frame, by coefficients of its places or by what pairs wear, to the same volume.
+fn wear_turned(
+    surface: &mut Surface,
+    wear: &Wear,
+    (body, coefficients): (usize, Option<&[f64]>),
+    (turned, position): (&Turned, &Position),
+) {
+    let (grid, depths) = (surface.grid, &wear.depths[body]);
+    let over_mean = coefficients.map(|own| -> Vec<f64> {
+        let each = depths.iter().enumerate().map(|(pair, depth)| {
+            let mut mean = 0.0;
+            position.swept((body, grid), pair, |element, share, _| mean += share * own[element]);
+            if *depth > 0.0 { depth / mean } else { 0.0 }
+        });
+        each.collect()
+    });
+    let mut gathered = turned.gathered(grid, [over_mean.as_ref().unwrap_or(depths), &wear.slip]);
+    if let Some(own) = coefficients {
+        gathered.iter_mut().zip(own).for_each(|([depth, _], own)| *depth *= own);
+    }
+    let [all, laid] =
+        [depths.iter().sum::<f64>(), gathered.iter().map(|[depth, _]| depth).sum::<f64>()];
+    let share = if laid > 0.0 { all / laid } else { 0.0 };
+    for (element, [depth, slip]) in gathered.into_iter().enumerate() {
+        surface.wear_element(element, [share * depth, slip]);
     }
 }
 

@@ -17,9 +17,9 @@ type Matrix = [[f64; 3]; 3];
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Turned {
     wrap: Wrap,
-    /// The first pair (m), those along x, and the distance (m) between pairs.
+    /// The first pair (m), pairs along x and y, and the distance (m) between them.
     first: [f64; 2],
-    columns: usize,
+    pairs: [usize; 2],
     spacing: [f64; 2],
     /// Matrices from its own axes to those of the other body, at an odd number of even parts of the way.
     parts: Vec<Matrix>,
@@ -34,7 +34,7 @@ impl Turned {
         Self {
             wrap,
             first: frame.place(0),
-            columns: frame.elements()[0],
+            pairs: frame.elements(),
             spacing,
             parts: (0..count).map(part).collect(),
         }
@@ -42,8 +42,8 @@ impl Turned {
 
     /// Where (elements from the first pair) the body lies under a pair, and the direction of the pair's first axis on its own map.
     fn place(&self, pair: usize, part: &Matrix) -> ([f64; 2], [f64; 2]) {
-        let place = [pair % self.columns, pair / self.columns];
-        let place = [0, 1].map(|axis| self.first[axis] + self.spacing[axis] * place[axis] as f64);
+        let [columns, _] = self.pairs;
+        let place = self.at([pair % columns, pair / columns].map(|index| index as f64));
         let back = |vector: [f64; 3]| {
             [0, 1, 2].map(|axis| (0..3).map(|one| part[one][axis] * vector[one]).sum::<f64>())
         };
@@ -52,7 +52,41 @@ impl Turned {
         let [one, two, _] = self.wrap.outwards(own);
         let first = back(t1);
         let axis = [one, two].map(|unit| (0..3).map(|i| unit[i] * first[i]).sum());
-        ([0, 1].map(|axis| (own[axis] - self.first[axis]) / self.spacing[axis]), axis)
+        (self.elements(own), axis)
+    }
+
+    /// A place (m) by elements from the first pair.
+    fn at(&self, elements: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.first[axis] + self.spacing[axis] * elements[axis])
+    }
+
+    /// Elements from the first pair to a place (m).
+    fn elements(&self, place: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (place[axis] - self.first[axis]) / self.spacing[axis])
+    }
+
+    /// What each element of the body gathers of two fields of the pairs, the mean over the way. Shared out by pairs in its place, fields
+    /// would have ripples where both grids are turned against each other, since the shares do not add up to one at each element.
+    pub fn gathered(&self, grid: Grid, fields: [&[f64]; 2]) -> Vec<[f64; 2]> {
+        let ([columns, rows], before) = (grid.elements(), grid.before());
+        let pairs = Grid::of_pairs(self.pairs);
+        let weight = 1.0 / self.parts.len() as f64;
+        let element = |index: usize| {
+            let own = [index % columns, index / columns];
+            let own = self.at([0, 1].map(|axis| own[axis] as f64 - before[axis] as f64));
+            let out = self.wrap.outwards(own)[2];
+            let mut sum = [0.0; 2];
+            for part in &self.parts {
+                let there = part.map(|row| (0..3).map(|i| row[i] * out[i]).sum::<f64>());
+                if there[2] > 0.0 {
+                    for (pair, share) in pairs.around(self.elements(self.wrap.place(there))) {
+                        sum = [0, 1].map(|own| sum[own] + weight * share * fields[own][pair]);
+                    }
+                }
+            }
+            sum
+        };
+        (0..columns * rows).map(element).collect()
     }
 
     /// Two fields of the elements at the place under a pair in the middle of the turn, linear between them.
