@@ -4,7 +4,9 @@
 use std::sync::Arc;
 
 use archard::body::Profile;
+use archard::body::contact_modulus;
 use archard::body::profile::{Disc, Flat, Paraboloid};
+use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace};
 use archard::frame::Direction;
 use archard::friction::Coulomb;
@@ -155,4 +157,31 @@ fn strips_neglect_what_others_press_them_by() {
     let found = problem.strips_neglect(&pressure).unwrap();
     assert!(known > 0.01, "{known}");
     near(found, known, 0.05);
+}
+
+/// Where a ball that rolls on a flat slides all the way, a point slides the creepage times the chord of Hertz's contact, wherever elements
+/// lie.
+#[test]
+fn points_slide_from_edge_to_edge() {
+    let (radius, load, creepage) = (20e-3, 100.0, 0.05);
+    let steel = Material::new(206e9, 0.3).unwrap();
+    let modulus = contact_modulus([Some(&steel), Some(&steel)]);
+    let a = Hertz::from_load([1.0 / radius; 2], modulus, load).unwrap().semi_axes[0];
+    for (across, within) in [(16, 8e-3), (32, 4e-3)] {
+        let element = 2.0 * a / f64::from(across);
+        for size in [2.2, 2.25, 2.3, 2.35].map(|size| size * a) {
+            let elements = (size / element) as usize;
+            let bodies = [body("ball", Paraboloid::new([radius; 2]).unwrap()), body("flat", Flat)];
+            let rolling = Rolling::along(Direction::X).longitudinal(Drive::Slip(creepage));
+            let mut builder = Contact::rolling(bodies, rolling, Control::Load(load)).unwrap();
+            builder.friction = Some(Arc::new(Coulomb::new(0.1).unwrap()));
+            let contact = builder.frame([size; 2], [elements; 2]).solve().unwrap();
+            for line in contact.passage().unwrap() {
+                if line.place.abs() < 0.7 * a {
+                    let chord = 2.0 * (a * a - line.place * line.place).sqrt();
+                    near(line.slid, creepage * chord, within);
+                }
+            }
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use archard::body::Body;
 use archard::elastic::{Interface, Maxima, Maximum};
+use archard::stress::MEASURES;
 
 use crate::verdict;
 
@@ -28,21 +29,37 @@ pub(super) fn judged(
     let of = format!("largest equivalent stress of `{}`", body.name);
     let stated = largest.filter(|own| own.value > 0.0);
     let stated = stated.map(|own| verdict::measured(own.error / own.value, &of));
+    let kinds = (0..MEASURES.len()).map(|measure| off_by_kind(maxima, measure));
+    let worst = kinds.max_by(f64::total_cmp);
+    let of = format!(
+        "stresses on and below the surface of `{}`, over the largest of their kind",
+        body.name
+    );
+    let of_kinds = worst.map(|error| verdict::measured(error, &of));
     let faces = maxima.interfaces.iter().map(off);
     let worst = faces.max_by(f64::total_cmp);
     let of = format!("stresses at an interface of `{}`, over the largest there", body.name);
     let at_faces = worst.map(|error| verdict::measured(error, &of));
-    yields.into_iter().chain(stated).chain(at_faces).collect()
+    yields.into_iter().chain(stated).chain(of_kinds).chain(at_faces).collect()
+}
+
+/// The largest error of a kind of stress, below the surface and on it, over the largest of that kind.
+fn off_by_kind(maxima: &Maxima, measure: usize) -> f64 {
+    let all = [Some(&maxima.inside[measure]), maxima.surface[measure].as_ref()];
+    off_of(all.into_iter().flatten())
 }
 
 /// The largest error of the stresses at an interface, over the largest of them.
 fn off(face: &Interface) -> f64 {
     let sides = [Some(&face.above), face.below.as_ref()].into_iter().flatten();
     let along = sides.flat_map(|side| [&side.most, &side.least]);
-    let all: Vec<&Maximum> =
-        [&face.pull, &face.press, &face.shear].into_iter().chain(along).collect();
-    let largest = all.iter().map(|own| own.value.abs()).fold(0.0, f64::max);
-    let error = all.iter().map(|own| own.error).fold(0.0, f64::max);
+    off_of([&face.pull, &face.press, &face.shear].into_iter().chain(along))
+}
+
+fn off_of<'a>(all: impl Iterator<Item = &'a Maximum>) -> f64 {
+    let both = all.map(|own| [own.value.abs(), own.error]);
+    let [largest, error] =
+        both.fold([0.0_f64; 2], |most, own| [0, 1].map(|at| most[at].max(own[at])));
     if largest > 0.0 { error / largest } else { 0.0 }
 }
 

@@ -154,8 +154,9 @@ impl Journey {
     ) -> Result<(), ContactError> {
         let Some(contact) = &patch.contact else { return Ok(()) };
         let told = contact.passage()?;
-        let slides = (0..told.len()).filter(|&line| told[line].slid > 0.0);
-        let slides: Vec<usize> = slides.collect();
+        let worn =
+            |line: &WornLine| line.slid > 0.0 || line.depths.iter().any(|depth| *depth > 0.0);
+        let slides: Vec<usize> = (0..told.len()).filter(|&line| worn(&told[line])).collect();
         if slides.is_empty() {
             return Ok(());
         }

@@ -28,7 +28,7 @@ impl WearLaw for Hardens {
 
 /// Points of a profile that run in over the distance S that they slid wear k1 S + (k0 - k1) s0 (1 - exp(-S / s0)) in place of k S, and
 /// those that harden as they wear d ln(1 + w / d) in place of w. So little is worn off that pressures stay. Where all slips by a tenth
-/// of the way, the middle of the contact slides a tenth of its length, twice Hertz's semi-axis, in each turn of the wheel, to one of sixteen elements.
+/// of the way, the middle of the contact slides a tenth of its length, twice Hertz's semi-axis, in each turn of the wheel.
 #[test]
 fn laws_remember_how_far_points_slid_and_wore() {
     let mut spinning = point(0.0, 0.0, 1.0);
@@ -49,11 +49,7 @@ fn laws_remember_how_far_points_slid_and_wore() {
     let modulus = contact_modulus([Some(&steel), Some(&steel)]);
     let hertz = Hertz::from_load([1.0 / RADIUS, 1.0 / 0.3], modulus, 60e3).unwrap();
     let along = hertz.semi_axes[0];
-    assert_relative_eq!(
-        most,
-        0.1 * 2.0 * along * distance / (TAU * RADIUS),
-        max_relative = 1.0 / 15.0
-    );
+    assert_relative_eq!(most, 0.1 * 2.0 * along * distance / (TAU * RADIUS), max_relative = 0.01);
     let (s0, d) = (0.3 * most, 0.5 * plain.depths().into_iter().fold(0.0, f64::max));
     let run_in = wheel_worn_by(Arc::new(RunningIn::new([5.0 * k, k], s0).unwrap()));
     let hardened = wheel_worn_by(Arc::new(Hardens(k, d)));

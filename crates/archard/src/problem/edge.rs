@@ -42,21 +42,25 @@ impl ContactState {
     /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than four
     /// pairs wide, that of all pairs under pressure. No less than what bears the load under the hardness of a body that yields.
     pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
-        let least = problem.frame.integrate(&self.pressure) / problem.hardness();
-        self.area_up_to_the_edge(problem).max(least)
+        let (frame, touches) = (&problem.frame, |pair: usize| self.pressure[pair] > 0.0);
+        let area = match self.edge(problem) {
+            Some(edge) => frame.area_up_to(touches, |from, to| edge.between([from, to])),
+            None => frame.area_where(touches),
+        };
+        area.max(frame.integrate(&self.pressure) / problem.hardness())
     }
 
-    fn area_up_to_the_edge(&self, problem: &ContactProblem) -> f64 {
+    /// The edge of the contact between pairs; `None` where it is that of the elements.
+    pub(crate) fn edge<'a>(&'a self, problem: &'a ContactProblem) -> Option<Edge<'a>> {
         let frame = &problem.frame;
         let modulus = contact_modulus(problem.bodies.each_ref().map(Body::uppermost));
-        let touches = |pair: usize| self.pressure[pair] > 0.0;
         if !frame.is_uniform() || !modulus.is_finite() {
-            return frame.area_where(touches);
+            return None;
         }
-        let Some(contact) = extent(frame.elements(), touches) else { return 0.0 };
+        let contact = extent(frame.elements(), |pair| self.pressure[pair] > 0.0)?;
         let few = |axis: usize| frame.elements()[axis] > 1 && contact[axis].len() < 2 * REACH;
         if few(0) || few(1) {
-            return frame.area_where(touches);
+            return None;
         }
         let around = [0, 1].map(|axis| {
             let Range { start, end } = contact[axis];
@@ -65,17 +69,16 @@ impl ContactState {
         let known = self.gap.part.is_none_or(|part| part.holds(&around));
         let gap = if known { Cow::Borrowed(&self.gap.values[..]) } else { self.gap_of(problem) };
         let edged = problem.bodies.iter().any(|body| body.profile.sharpest() == 0.0);
-        let edge = Edge { frame, state: self, gap: &gap, modulus, edged };
-        frame.area_up_to(touches, |inside, outside| edge.between(inside, outside))
+        Some(Edge { frame, state: self, gap, modulus, edged })
     }
 }
 
 /// The edge of a contact.
-struct Edge<'a> {
+pub(crate) struct Edge<'a> {
     frame: &'a ContactFrame,
     state: &'a ContactState,
     /// Gap (m), one value a pair.
-    gap: &'a [f64],
+    gap: Cow<'a, [f64]>,
     modulus: f64,
     /// Whether a body has an edge of its own.
     edged: bool,
@@ -83,7 +86,7 @@ struct Edge<'a> {
 
 impl Edge<'_> {
     /// Where the edge lies between a pair under pressure and an open neighbour: the distance from the former over that of both.
-    fn between(&self, inside: usize, outside: usize) -> f64 {
+    pub fn between(&self, [inside, outside]: [usize; 2]) -> f64 {
         let axis = usize::from(inside.abs_diff(outside) != 1 || self.frame.elements()[0] == 1);
         let spacing = self.frame.spacing()[axis];
         let gap = |pair: usize| self.gap[pair].max(0.0);

@@ -161,13 +161,8 @@ impl OfLines {
             rubbing.at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
         };
         let points = points.map(|one| rubbing(one.pair, 1.0));
-        let on_lines: Vec<f64> = lines
-            .iter()
-            .map(|line| {
-                let rubbed = line.passages.iter().filter(rubs);
-                rubbed.map(|one| scale * one.times * slips[one.pair]).sum()
-            })
-            .collect();
+        let mut on_lines = distances(state, problem, flow, [&means, &slips]);
+        on_lines.iter_mut().for_each(|slid| *slid *= scale);
         let ages = [0, 1].map(|body| ages(problem, state, body, (&lines, &on_lines), passages));
         let of_points: Vec<(usize, f64)> = lines
             .iter()
@@ -275,6 +270,45 @@ fn ages(
         [distance / whole + 0.5 * passages * slip, depth / whole]
     };
     lines.iter().zip(slips).map(age).collect()
+}
+
+/// Distances (m) that points slide in contact, one value a line: up to its edges in rows, in passages to and from pairs under
+/// pressure elsewhere.
+fn distances(
+    state: &ContactState,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+    [means, slips]: [&[f64]; 2],
+) -> Vec<f64> {
+    let lines = flow.lines();
+    if !flow.has_rows() {
+        let rubs = |one: &&Passage| means[one.pair] > 0.0;
+        let slides = |one: &Passage| one.times * slips[one.pair];
+        return lines
+            .iter()
+            .map(|one| one.passages.iter().filter(rubs).map(slides).sum())
+            .collect();
+    }
+    let edge = state.edge(problem);
+    let touches = |pair: usize| state.pressure[pair] > 0.0;
+    let end = |pairs| edge.as_ref().map_or(0.5, |edge| edge.between(pairs));
+    // The part of the way between the centres of two pairs that lies in contact.
+    let part = |[from, to]: [usize; 2]| match [from, to].map(touches) {
+        [true, true] => 1.0,
+        [true, false] => end([from, to]),
+        [false, true] => end([to, from]),
+        [false, false] => 0.0,
+    };
+    let at_side = |one: &Passage| if touches(one.pair) { 0.5 * slips[one.pair] } else { 0.0 };
+    let distance = |line: &Line| {
+        let all = &line.passages;
+        let ways = all.iter().zip(&all[1..]);
+        let between: f64 = ways.map(|(from, to)| part([from.pair, to.pair]) * slips[to.pair]).sum();
+        let sides: f64 = [all.first(), all.last()].into_iter().flatten().map(at_side).sum();
+        // An edge may lie before the centre of a pair that stands alone.
+        (between + sides).max(0.0)
+    };
+    lines.iter().map(distance).collect()
 }
 
 /// The grip on the passage to each pair, where it scales the limit under the mean of the pressures to the mean of the limits;
