@@ -15,6 +15,7 @@ __all__ = [
     "Run",
     "WheelRail",
     "__version__",
+    "by_load",
     "command",
     "comparison",
     "fit",
@@ -121,6 +122,7 @@ class WheelRail:
 def wear_cam(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple[str, float] | None]: ...
 def wear_gears(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple[str, float] | None]: ...
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
+def by_load(inside: Inside) -> tuple[NDArray[np.float64], float] | None: ...
 def solve_contact(
     file: CaseFile,
 ) -> tuple[

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,15 @@ from archard import _archard
 from archard.case import Case
 
 Array = NDArray[np.float64]
+
+
+class ByLoad(NamedTuple):
+    """Derivatives of a contact by its load."""
+
+    pressure: Array
+    """Of the pressure (Pa/N), shaped like it."""
+    approach: float
+    """Of the approach (m/N): one over the stiffness of the contact."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +57,31 @@ class Contact:
     def peak_pressure(self) -> float:
         """Largest pressure (Pa) of a pair."""
         return float(self.pressure.max())
+
+    def by_load(self) -> ByLoad | None:
+        """Return the derivatives by the load, from one more solve; exact for the elements.
+
+        ``None`` where pairs yield or lose pressure as the load grows, where friction moves the pressures, and on
+        conforming surfaces.
+
+        >>> import archard
+        >>> steel = {"material": {"young": "210 GPa", "poisson": 0.3}}
+        >>> ball = {**steel, "profile": {"sphere": {"radius": "50 mm"}}}
+        >>> flat = {**steel, "profile": {"flat": {}}}
+        >>> frame = {"size": ["0.36 mm", "0.36 mm"], "elements": [48, 48]}
+        >>> solved = archard.contact({"body": {"ball": ball, "flat": flat}, "frame": frame}, load="10.2 N")
+        >>> f"{1 / solved.by_load().approach:.3g} N/m"
+        '3.45e+07 N/m'
+
+        Raises:
+            RunError: if the solve does not converge.
+
+        """
+        found = _archard.by_load(self._inside[0])
+        if found is None:
+            return None
+        pressure, approach = found
+        return ByLoad(pressure.reshape(self.pressure.shape), approach)
 
     def stress_at(self, points: ArrayLike, body: str) -> Array:
         """Return the stresses (Pa) at places in a half-space: xx, yy, zz, xy, xz, yz, positive in tension.

@@ -60,6 +60,15 @@ impl Inside {
     }
 }
 
+/// The derivatives of a contact by its load: of the pressure (Pa/N), one value a pair, and of the approach (m/N); `None` where they
+/// are not known.
+#[pyfunction]
+pub fn by_load<'py>(py: Python<'py>, inside: &Inside) -> PyResult<Option<(Field<'py>, f64)>> {
+    let found = py.detach(|| inside.contact.by_load());
+    let found = found.map_err(|error| RunError::new_err(error.to_string()))?;
+    Ok(found.map(|own| (PyArray1::from_vec(py, own.pressure), own.approach)))
+}
+
 impl Inside {
     fn pressed(&self, py: Python<'_>) -> PyResult<&Pressed> {
         let find = || self.contact.below(self.body).map_err(|error| error.to_string());

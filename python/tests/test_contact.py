@@ -34,6 +34,21 @@ def test_a_ball_on_a_flat_is_hertz_s():
     assert "peak_pressure" in repr(pressed)
 
 
+def test_derivatives_by_the_load_are_hertz_s():
+    case = {"body": {"ball": BALL, "flat": FLAT}, "frame": FRAME}
+    contact = archard.contact(case, load="10.2 N")
+    by_load = contact.by_load()
+    assert by_load.pressure.shape == contact.pressure.shape
+    assert by_load.approach == pytest.approx(contact.approach / (1.5 * contact.load), rel=5e-3)
+    cell = (contact.x[0, 1] - contact.x[0, 0]) ** 2
+    assert cell * by_load.pressure.sum() == pytest.approx(1, rel=1e-9)
+
+
+def test_derivatives_are_not_known_where_pairs_yield():
+    case = {"body": {"ball": BALL, "flat": {**FLAT, "hardness": "150 MPa"}}, "frame": FRAME}
+    assert archard.contact(case, load="10.2 N").by_load() is None
+
+
 def test_heights_are_pressed():
     """An array of heights under a flat: waves flattened altogether (Westergaard)."""
     count, length, amplitude = 64, 1e-3, 0.1e-6

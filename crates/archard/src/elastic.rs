@@ -13,12 +13,17 @@ mod maxima;
 mod section;
 mod surface;
 
+#[doc(hidden)]
 pub use damage::{Damage, Damaged, Endurance, Tiring};
-pub use fatigue::{Added, Criterion, Cycle};
+#[doc(hidden)]
+pub use fatigue::Added;
+pub use fatigue::{Criterion, Cycle};
 pub use half_space::{Pressed, tensor};
 pub use interfaces::{Interface, Side};
 pub use maxima::{Layer, Maxima, Maximum, Piece};
-pub use section::{Sampled, Section, SectionError};
+#[doc(hidden)]
+pub use section::Sampled;
+pub use section::{Section, SectionError};
 
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;

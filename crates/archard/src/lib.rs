@@ -72,8 +72,7 @@
 //! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
 //! seen from the frame, and their [`Motion`]; each body may have a [`WearLaw`].
 //! What is known at the end of a step is a [`ContactState`]; a [`Contact`] is a problem and a state. Profiles, wear laws, motions and solvers
-//! are interchangeable parts; those that a case file can name are declared as [`parameters::Choice`]s, which
-//! call the constructors of the same types.
+//! are interchangeable parts. What these pages leave out serves the other crates of the workspace, and may change with any version.
 //!
 //! SI units everywhere. Signs and axes are
 //! stated in [`frame`].
@@ -83,6 +82,7 @@ pub mod body;
 pub mod closed_form;
 pub mod compliance;
 pub mod elastic;
+#[doc(hidden)]
 pub mod estimate;
 pub mod frame;
 pub mod friction;
@@ -94,6 +94,7 @@ pub mod problem;
 pub mod simulation;
 pub mod solve;
 pub mod stress;
+#[doc(hidden)]
 pub mod units;
 pub mod wear;
 

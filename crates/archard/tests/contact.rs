@@ -1,5 +1,7 @@
 //! Contacts that are solved once, against closed forms.
 
+use std::f64::consts::PI;
+
 use approx::assert_relative_eq;
 use archard::body::Layer;
 use archard::body::contact_modulus;
@@ -54,6 +56,49 @@ fn a_ball_on_a_flat_is_hertz_s() {
             assert_eq!(contact.force(), [0.0; 2]);
         }
     }
+}
+
+/// Of a ball, the approach grows with F^(2/3), the pressure at r by 1 / (2 pi a (a^2 - r^2)^(1/2)) as that of a flat punch (Johnson, Contact
+/// Mechanics, 5.4), and both as between two loads.
+#[test]
+fn derivatives_by_the_load_are_hertz_s() {
+    let hertz = hertz();
+    let at = |load: f64| {
+        solved(Contact::between(ball_on_flat(), Control::Load(load)).expect("a control"))
+    };
+    let contact = at(LOAD);
+    let by_load = contact.by_load().expect("it converges").expect("it is known");
+    assert_relative_eq!(by_load.approach, hertz.approach / (1.5 * LOAD), max_relative = 5e-3);
+    let a = hertz.semi_axes[0];
+    let frame = &contact.problem().frame;
+    assert_relative_eq!(frame.integrate(&by_load.pressure), 1.0, max_relative = 1e-9);
+    for pair in 0..frame.len() {
+        let [x, y] = frame.place(pair);
+        let r = x.hypot(y);
+        if r < 0.7 * a {
+            let known = 1.0 / (2.0 * PI * a * (a * a - r * r).sqrt());
+            assert_relative_eq!(by_load.pressure[pair], known, max_relative = 0.02);
+        }
+    }
+    // Loads so near that no pair comes into contact.
+    let [less, more] = [-1e-5, 1e-5].map(|part| at(LOAD * (1.0 + part)));
+    let slope = (more.approach() - less.approach()) / (2e-5 * LOAD);
+    assert_relative_eq!(by_load.approach, slope, max_relative = 1e-4);
+    let known = by_load.pressure.iter().copied().fold(0.0, f64::max);
+    let pairs = by_load.pressure.iter().zip(more.pressure().iter().zip(less.pressure()));
+    for (own, (more, less)) in pairs {
+        let slope = (more - less) / (2e-5 * LOAD);
+        assert!((own - slope).abs() < 1e-3 * known, "{own} {slope}");
+    }
+}
+
+/// Summits that yield bear no more as the load grows.
+#[test]
+fn derivatives_are_not_known_where_pairs_yield() {
+    let [ball, flat] = ball_on_flat();
+    let soft = flat.hardness(150e6);
+    let contact = solved(Contact::between([ball, soft], Control::Load(LOAD)).expect("a control"));
+    assert_eq!(contact.by_load().expect("it converges"), None);
 }
 
 /// Waves that are pressed flat: p = mean + p* cos(2 pi x / length), with p* = pi E* 2 a / length (Johnson, Contact Mechanics, 13.2).

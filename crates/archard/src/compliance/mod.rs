@@ -18,16 +18,25 @@ use std::sync::Arc;
 
 use crate::frame::{ContactFrame, Flow, Part, VectorField};
 
+#[doc(hidden)]
 pub use crate::numerics::dense::Unsolved;
+#[doc(hidden)]
 pub use crate::numerics::large::NoMemory;
 pub use bem::contact::ContactError;
+#[doc(hidden)]
 pub use bem::{Balance, Undetermined};
+#[doc(hidden)]
 pub use carried::Carried;
 pub use dense::Dense;
 pub use half_space::{HalfSpace, Periodic};
+#[doc(hidden)]
 pub use image::{Ends, Image};
+#[doc(hidden)]
 pub use mapped::Mapped;
-pub use slip::{Coarser, PairStatus, SlipMap};
+#[doc(hidden)]
+pub use slip::Coarser;
+pub use slip::{PairStatus, SlipMap};
+#[doc(hidden)]
 pub use worn_lines::WornLines;
 
 use slip::{Differenced, Direct};

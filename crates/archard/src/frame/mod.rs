@@ -32,16 +32,24 @@ mod region;
 mod vectors;
 mod wrap;
 
+#[doc(hidden)]
 pub use crate::numerics::upwind::DegenerateCloud;
+#[doc(hidden)]
 pub use crate::numerics::vector::Values;
 pub use direction::Direction;
 pub use field::VectorField;
+#[doc(hidden)]
 pub use flow::Flow;
+#[doc(hidden)]
 pub use line::{Line, Passage};
+#[doc(hidden)]
 pub use measure::Measure;
+#[doc(hidden)]
 pub use pairs::{Pairs, PairsError};
+#[doc(hidden)]
 pub use part::{Extent, Part, extent};
 pub use rectangle::Rectangle;
+#[doc(hidden)]
 pub use wrap::Wrap;
 
 use rayon::prelude::*;

@@ -14,9 +14,12 @@ mod tresca;
 use std::fmt::Debug;
 
 pub use coulomb::Coulomb;
+#[doc(hidden)]
 pub use disc::{Beyond, onto_disc};
 pub use falling::Falling;
-pub use grip::{Circumstance, Circumstances, Grip, Limits};
+pub use grip::{Circumstance, Circumstances};
+#[doc(hidden)]
+pub use grip::{Grip, Limits};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use table::Table;

@@ -25,8 +25,10 @@ pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
 pub use joint::{Joint, Turn};
+#[doc(hidden)]
 pub use merged::{Merged, Within};
 pub use path::Path;
+#[doc(hidden)]
 pub use progress::Progress;
 pub use rolling::Rolling;
 pub use rotation::Rotation;
@@ -114,6 +116,7 @@ pub enum Sequence {
 }
 
 /// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passing {
     /// Along the motion.
@@ -127,6 +130,7 @@ pub struct Passing {
 }
 
 /// Surfaces whose points come through the contact one after the other, at one speed.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stream {
     /// Where the contact moves over these surfaces.

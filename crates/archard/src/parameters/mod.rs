@@ -12,12 +12,16 @@ mod values;
 
 use std::fmt;
 
+#[doc(hidden)]
 pub use about::About;
+#[doc(hidden)]
 pub use bytes::Bytes;
 pub use invalid::Invalid;
+#[doc(hidden)]
 pub use values::{Column, Columns, OneOf, Value, Values};
 
 /// The physical quantity of a parameter; decides which units a reader accepts.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// A number without unit.
@@ -135,6 +139,7 @@ impl Quantity {
 }
 
 /// What values of a numeric parameter are allowed.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
     /// Any finite value.
@@ -180,6 +185,7 @@ impl fmt::Display for Bound {
 }
 
 /// One value a choice takes.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// The key, as written in a case file.
@@ -234,6 +240,7 @@ impl Parameter {
 }
 
 /// One entry of a list of interchangeable parts: how it is called, what it takes, how it is built.
+#[doc(hidden)]
 #[derive(Debug)]
 pub struct Choice<T> {
     /// The name of its table in a case file.

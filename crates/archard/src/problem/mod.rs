@@ -11,10 +11,15 @@ mod strips;
 mod surface;
 
 pub(crate) use edge::GROWS;
+#[doc(hidden)]
 pub use gap::Gap;
+#[doc(hidden)]
 pub use heat::{Flash, Heating, NoTemperature};
+#[doc(hidden)]
 pub use rough::{Spots, Unworn};
-pub use surface::{Grid, Surface};
+#[doc(hidden)]
+pub use surface::Grid;
+pub use surface::Surface;
 
 use std::borrow::Cow;
 use std::sync::Arc;

@@ -38,7 +38,7 @@ use crate::wear::WearLaw;
 /// ```
 #[derive(Debug)]
 pub struct Contact {
-    simulation: Simulation,
+    pub(super) simulation: Simulation,
     placed: Placed,
     state: ContactState,
     effort: Effort,

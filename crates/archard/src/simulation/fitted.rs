@@ -12,6 +12,7 @@ use crate::motion::{Lever, Motion};
 use crate::wear::{Input, Per, WearLaw};
 
 /// The kind of a frame.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Kind {
     /// Whether it is a line of contact in plane strain.

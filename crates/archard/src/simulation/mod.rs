@@ -3,6 +3,7 @@
 mod adaptive;
 mod advance;
 mod builder;
+mod by_load;
 mod checkpoint;
 mod collector;
 mod companion;
@@ -46,20 +47,30 @@ mod wider;
 mod worn;
 
 pub use builder::{Builder, line_of_contact};
+pub use by_load::ByLoad;
+#[doc(hidden)]
 pub use companion::{Companion, Companions, Regularity};
 pub use contact::Contact;
+#[doc(hidden)]
 pub use digest::digest;
 pub use effort::Effort;
 pub use error::{Error, NotResumed};
 pub use history::row;
+#[doc(hidden)]
 pub use march::March;
 pub use passing::WornLine;
+#[doc(hidden)]
 pub use periodic::repeats;
+#[doc(hidden)]
 pub use positions::solves_of_a_step;
 pub use refusal::Refused;
-pub use report::{Kept, Observer, Report};
+#[doc(hidden)]
+pub use report::Kept;
+pub use report::{Observer, Report};
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle, worn_profile};
 pub use setup::Simulation;
+#[doc(hidden)]
 pub use swing::offsets;
+#[doc(hidden)]
 pub use wider::{Wider, can_widen};

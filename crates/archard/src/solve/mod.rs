@@ -18,6 +18,7 @@ mod blocks;
 mod cells;
 mod conjugate_gradient;
 mod contact_set;
+#[doc(hidden)]
 pub mod monolithic;
 mod nested;
 mod part;
@@ -29,6 +30,7 @@ mod uzawa;
 
 use std::fmt::Debug;
 
+#[doc(hidden)]
 pub use accept::press;
 pub(crate) use cells::Cells;
 pub use conjugate_gradient::ConjugateGradient;

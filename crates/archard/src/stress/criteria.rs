@@ -11,6 +11,7 @@ use super::planes::{OnPlane, Plane, worst};
 use super::{Components, shear};
 
 /// What an elastic material makes of the stress on a plane.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elastic {
     /// Young's modulus (Pa).

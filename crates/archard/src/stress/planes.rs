@@ -18,6 +18,7 @@ const CLOSE: f64 = 1e-7;
 const GAINED: f64 = 1e-10;
 
 /// What a path of stresses, or strains, does on a plane.
+#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq)]
 pub struct OnPlane {
     /// Normal to it, a value a moment.

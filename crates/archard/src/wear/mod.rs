@@ -22,7 +22,9 @@ use std::fmt::Debug;
 pub use archard::Archard;
 pub use cross_shear::CrossShear;
 pub use energy::Energy;
-pub use expression::{Expression, LookUp};
+pub use expression::Expression;
+#[doc(hidden)]
+pub use expression::LookUp;
 pub use layered::Layered;
 pub use map::Map;
 pub use orthotropic::Orthotropic;
@@ -32,6 +34,7 @@ pub use running_in::RunningIn;
 pub use t_gamma::TGamma;
 pub use table::{Over, Table};
 pub use threshold::Threshold;
+#[doc(hidden)]
 pub use trial::try_out;
 
 use crate::parameters::{About, Choice};

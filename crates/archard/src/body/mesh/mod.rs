@@ -21,6 +21,7 @@ mod file;
 mod free;
 mod listed;
 mod measure;
+#[doc(hidden)]
 pub mod reduced;
 mod refine;
 mod rings;
@@ -32,12 +33,20 @@ pub mod tetrahedron;
 mod thickness;
 mod volume;
 
+#[doc(hidden)]
 pub use check::MeshProblem;
-pub use file::{Fault, MeshFileError, Place};
+pub use file::MeshFileError;
+#[doc(hidden)]
+pub use file::{Fault, Place};
+#[doc(hidden)]
 pub use free::Supported;
+#[doc(hidden)]
 pub use listed::Listed;
+#[doc(hidden)]
 pub use reduced::Reduced;
-pub use volume::{Inverted, Volume};
+#[doc(hidden)]
+pub use volume::Inverted;
+pub use volume::Volume;
 
 pub use curvatures::axes;
 
@@ -67,6 +76,7 @@ pub struct Face {
 }
 
 /// Indices of the corners of an element, counter-clockwise seen from outside.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Corners {
     /// A triangle.

@@ -5,6 +5,7 @@ mod curved;
 mod differences;
 mod images;
 mod influence;
+#[doc(hidden)]
 pub mod inside;
 mod part;
 mod periodic;

@@ -24,7 +24,9 @@ use std::fmt::Debug;
 
 pub use mapped::solve;
 pub use newton::Newton;
+#[doc(hidden)]
 pub use tied::Tie;
+#[doc(hidden)]
 pub use turning::Turning;
 pub use uzawa::Uzawa;
 
@@ -52,6 +54,7 @@ pub struct Step<'a> {
 }
 
 /// Which tractions are admissible, the limits apart.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy)]
 pub struct Admissible<'a> {
     /// Stretches the discs whose radii are the limits to the admissible sets.
