@@ -58,11 +58,8 @@ class Contact:
         """Largest pressure (Pa) of a pair."""
         return float(self.pressure.max())
 
-    def by_load(self) -> ByLoad | None:
+    def by_load(self) -> ByLoad:
         """Return the derivatives by the load, from one more solve; exact for the elements.
-
-        ``None`` where pairs yield or lose pressure as the load grows, where friction moves the pressures, and on
-        conforming surfaces.
 
         >>> import archard
         >>> steel = {"material": {"young": "210 GPa", "poisson": 0.3}}
@@ -75,11 +72,16 @@ class Contact:
 
         Raises:
             RunError: if the solve does not converge.
+            ValueError: where pairs yield or lose pressure as the load grows, where friction moves the pressures,
+                and on conforming surfaces.
 
         """
         found = _archard.by_load(self._inside[0])
         if found is None:
-            return None
+            raise ValueError(
+                "derivatives by the load are not known where pairs yield or lose pressure as it grows, "
+                "where friction moves the pressures, and on conforming surfaces"
+            )
         pressure, approach = found
         return ByLoad(pressure.reshape(self.pressure.shape), approach)
 
