@@ -5,6 +5,7 @@
 //! (Ctrl-C), SIGTERM or SIGHUP. Other commands leave these signals as they are: they have nothing to save.
 
 mod arguments;
+mod below;
 mod builtin;
 mod cam;
 mod check;

@@ -13,7 +13,9 @@ use archard::simulation::{Effort, Simulation};
 use archard_case::Forecast;
 use archard_case::output::{Life, Totals};
 use archard_case::verdict::Verdict;
+use serde_json::Value;
 
+use crate::below;
 use crate::failure::Failure;
 use crate::lines::Lines;
 use crate::lives;
@@ -34,6 +36,8 @@ pub struct Outcome<'a> {
     pub forecast: &'a Forecast,
     pub follower: &'a Follower,
     pub totals: &'a Totals,
+    /// The stresses below the surfaces, as the summary has them.
+    pub stresses: &'a Value,
     pub effort: Effort,
     pub verdict: &'a Verdict,
     /// Whether checks that are good are listed too.
@@ -91,6 +95,7 @@ impl Outcome<'_> {
         if simulation.problem.wears() {
             self.worn(&mut lines);
         }
+        below::add(self.stresses, &mut lines);
         self.lasted(&mut lines);
         let Effort { steps, solves, .. } = self.effort;
         let time = format!("{:.2} s, {steps} steps, {solves} solves", totals.seconds);

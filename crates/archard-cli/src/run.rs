@@ -142,6 +142,7 @@ fn contact(
     // Of a run that failed no life is known.
     let lives = lives.filter(|_| outcome.is_ok()).map(|lives| lives.about(&life));
     lives.iter().for_each(|lives| life.scatter(lives.clone()));
+    let below = stresses.json();
     let (totals, judged, effort) = finish(watch, (lives, stresses), outcome)?;
     let page = match arguments.report {
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
@@ -155,6 +156,7 @@ fn contact(
             forecast,
             follower: &follower,
             totals: &totals,
+            stresses: &below,
             effort,
             verdict: &judged,
             verbose: arguments.verbose,

@@ -145,7 +145,7 @@ impl Stresses {
     }
 
     /// As a block of the summary; null without any.
-    pub(super) fn json(&self) -> Value {
+    pub fn json(&self) -> Value {
         if self.blocks.is_empty() { Value::Null } else { Value::Object(self.blocks.clone()) }
     }
 }
