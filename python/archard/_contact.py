@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 class ByLoad(NamedTuple):
-    """Derivatives of a contact by its load."""
+    """Derivatives of a contact by its load; of a line of contact by that per length (N/m)."""
 
     pressure: Array
     """Of the pressure (Pa/N), shaped like it."""
@@ -60,15 +60,6 @@ class Contact:
 
     def by_load(self) -> ByLoad:
         """Return the derivatives by the load, from one more solve; exact for the elements.
-
-        >>> import archard
-        >>> steel = {"material": {"young": "210 GPa", "poisson": 0.3}}
-        >>> ball = {**steel, "profile": {"sphere": {"radius": "50 mm"}}}
-        >>> flat = {**steel, "profile": {"flat": {}}}
-        >>> frame = {"size": ["0.36 mm", "0.36 mm"], "elements": [48, 48]}
-        >>> solved = archard.contact({"body": {"ball": ball, "flat": flat}, "frame": frame}, load="10.2 N")
-        >>> f"{1 / solved.by_load().approach:.3g} N/m"
-        '3.45e+07 N/m'
 
         Raises:
             RunError: if the solve does not converge.
@@ -164,6 +155,8 @@ def contact(
     >>> solved = archard.contact({"body": {"ball": ball, "flat": flat}, "frame": frame}, load="10.2 N")
     >>> round(solved.peak_pressure / 1e6), solved.pressure.shape
     (219, (48, 48))
+    >>> f"{1 / solved.by_load().approach:.3g} N/m"
+    '3.45e+07 N/m'
 
     """
     if load is not None and approach is not None:

@@ -6,7 +6,7 @@ use crate::motion::Control;
 use crate::numerics::vector::in_pool;
 use crate::solve::{self, Status, Step};
 
-/// Derivatives of a contact by its load.
+/// Derivatives of a contact by its load; of a line of contact by that per length (N/m).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ByLoad {
     /// Of the pressure (Pa/N), one value a pair.
