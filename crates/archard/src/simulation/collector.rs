@@ -61,7 +61,8 @@ impl<'a> Collector<'a> {
             return Ok(Self { problem, stays: [true; 2], lines: None, coefficients: [None, None] });
         };
         let flow = problem.frame.flow(direction)?;
-        let lines = Some(Lines { problem, flow, bodies, passages });
+        let counts = problem.remembers();
+        let lines = Some(Lines { problem, flow, bodies, passages, counts });
         let stays = bodies.map(|passes| !passes);
         Ok(Self { problem, stays, lines, coefficients: [None, None] })
     }

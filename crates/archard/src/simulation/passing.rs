@@ -33,6 +33,8 @@ pub(super) struct Lines<'a> {
     pub bodies: [bool; 2],
     /// How often they pass while the motion advances by one (its own unit).
     pub passages: f64,
+    /// Whether the distances that points slide are asked for.
+    pub counts: bool,
 }
 
 /// What one passage through the contact wears off a line of the surfaces that pass.
@@ -54,7 +56,7 @@ pub(super) fn passage(
     state: &ContactState,
 ) -> Result<Vec<WornLine>, Error> {
     let Some(lines) = Collector::of(problem)?.lines() else { return Ok(vec![]) };
-    let OfLines { depths, slips, .. } = OfLines::of(state, lines, 1.0);
+    let OfLines { depths, slips, .. } = OfLines::of(state, Lines { counts: true, ..lines }, 1.0);
     let told = |((line, depths), slid): ((&Line, [f64; 2]), f64)| {
         let passes = |body: usize| if lines.bodies[body] { depths[body] } else { 0.0 };
         WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)], slid }
@@ -105,14 +107,14 @@ pub(super) struct OfLines {
     pub slopes: Vec<f64>,
     /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a line.
     pub pressures: Vec<f64>,
-    /// Distance (m) that a point slides under pressure, one value a line.
+    /// Distance (m) that a point slides under pressure, one value a line; empty where it is not asked for.
     pub slips: Vec<f64>,
 }
 
 impl OfLines {
     /// In the middle of so many passages.
     pub fn of(state: &ContactState, lines: Lines<'_>, passages: f64) -> Self {
-        let Lines { problem, flow, bodies, passages: each } = lines;
+        let Lines { problem, flow, bodies, passages: each, counts } = lines;
         let pressure = &state.pressure;
         let weight = problem.frame.measure().weight;
         let further = 0.5 * problem.motion.slip(passages / each);
@@ -162,7 +164,8 @@ impl OfLines {
             rubbing.at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
         };
         let points = points.map(|one| rubbing(one.pair, 1.0));
-        let mut on_lines = distances(state, problem, flow, [&means, &slips]);
+        let mut on_lines =
+            if counts { distances(state, problem, flow, [&means, &slips]) } else { vec![] };
         on_lines.iter_mut().for_each(|slid| *slid *= scale);
         let ages = [0, 1].map(|body| ages(problem, state, body, (&lines, &on_lines), passages));
         let of_points: Vec<(usize, f64)> = lines
