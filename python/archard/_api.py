@@ -23,7 +23,7 @@ from archard._surface import Surface, surface
 from archard._sweep import Row, Sweep, sweep
 from archard._table import Table
 from archard._tribometer import read_log
-from archard._validate import Compared, Validated, validate
+from archard._validate import Comparison, Validation, validate
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Verdict
 from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
@@ -35,7 +35,7 @@ __all__ = [
     "CaseError",
     "CaseWarning",
     "Coefficient",
-    "Compared",
+    "Comparison",
     "Comparison",
     "Contact",
     "Difference",
@@ -60,7 +60,7 @@ __all__ = [
     "Sweep",
     "Table",
     "Uncertain",
-    "Validated",
+    "Validation",
     "Verdict",
     "WrongResult",
     "__version__",

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from archard import _archard
 
 
-class Compared(NamedTuple):
+class Comparison(NamedTuple):
     """A measured value next to its prediction, in SI."""
 
     test: str
@@ -29,7 +29,7 @@ class Compared(NamedTuple):
     """Whether the measured value lies in the interval."""
 
 
-class Validated:
+class Validation:
     """What came of a set of measured tests."""
 
     def __init__(self, text: str, words: str) -> None:
@@ -39,8 +39,8 @@ class Validated:
         """What was tested."""
         self.rejected: str | None = self.json["rejected"]
         """Why the law is rejected, if it is."""
-        self.values: list[Compared] = [
-            Compared(
+        self.values: list[Comparison] = [
+            Comparison(
                 own["test"],
                 own["quantity"],
                 own["measured"],
@@ -58,7 +58,7 @@ class Validated:
         return self._words.rstrip()
 
 
-def validate(folder: str | os.PathLike[str]) -> list[Validated]:
+def validate(folder: str | os.PathLike[str]) -> list[Validation]:
     """Predict the measured tests of sets by each other.
 
     Args:
@@ -70,4 +70,4 @@ def validate(folder: str | os.PathLike[str]) -> list[Validated]:
 
     """
     with tempfile.TemporaryDirectory() as runs:
-        return [Validated(*own) for own in _archard.validate(folder, runs)]
+        return [Validation(*own) for own in _archard.validate(folder, runs)]

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use archard::accuracy::Unsettled;
+use archard::accuracy::AccuracyFailure;
 use archard::problem::ContactProblem;
 use archard::simulation::Simulation;
 use archard::wear::try_out;
 use archard_case::output::Store;
-use archard_case::{Case, Resolved};
+use archard_case::{Case, RunnableCase};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::ThreadPool;
@@ -89,10 +89,10 @@ impl Laws {
 pub fn settled(
     py: Python<'_>,
     pool: &ThreadPool,
-    resolved: Resolved,
+    resolved: RunnableCase,
     cache: Option<PathBuf>,
     laws: Laws,
-) -> PyResult<(Resolved, Simulation, Vec<String>)> {
+) -> PyResult<(RunnableCase, Simulation, Vec<String>)> {
     let failed = laws.failed.clone();
     let work = move || {
         let store = cache.map(Store::new).or_else(Store::of_user);
@@ -116,7 +116,7 @@ pub fn settled(
         return Err(refused);
     }
     let (resolved, simulation) = settled.map_err(|error| match error {
-        Unsettled::Run { cause, .. } if cause.is_of_convergence() => {
+        AccuracyFailure::Run { cause, .. } if cause.is_of_convergence() => {
             NotConverged::new_err(cause.to_string())
         }
         error => RunError::new_err(error.to_string()),

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use archard::Contact;
-use archard::elastic::{Point, Pressed};
+use archard::elastic::{Point, PressedHalfSpace};
 use archard::motion::Motion;
 use archard_case::Task;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -32,7 +32,7 @@ pub struct Inside {
     contact: Arc<Contact>,
     body: usize,
     /// Found where it is asked for: of a body of finite shape that takes equations of their own.
-    pressed: OnceLock<Result<Pressed, String>>,
+    pressed: OnceLock<Result<PressedHalfSpace, String>>,
 }
 
 #[pymethods]
@@ -70,7 +70,7 @@ pub fn by_load<'py>(py: Python<'py>, inside: &Inside) -> PyResult<Option<(Field<
 }
 
 impl Inside {
-    fn pressed(&self, py: Python<'_>) -> PyResult<&Pressed> {
+    fn pressed(&self, py: Python<'_>) -> PyResult<&PressedHalfSpace> {
         let find = || self.contact.below(self.body).map_err(|error| error.to_string());
         let found = py.detach(|| self.pressed.get_or_init(find));
         found.as_ref().map_err(|why| PyValueError::new_err(why.clone()))
@@ -79,7 +79,7 @@ impl Inside {
 
 /// Why there is no contact.
 enum Unsolved {
-    Case(Vec<crate::case::Told>),
+    Case(Vec<crate::case::Listener>),
     Other(&'static str),
     Run(String),
 }

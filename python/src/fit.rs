@@ -9,7 +9,7 @@ use archard::simulation::{Observer, Report};
 use archard_case::measured::Table;
 use archard_case::measured::surface::Surface;
 use archard_case::output::Store;
-use archard_lab::{Files, Following, Request, fit as fit_case, next_test, together};
+use archard_lab::{Files, Request, RunFollower, fit as fit_case, next_test, together};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -27,7 +27,7 @@ impl Observer for Waited {
     }
 }
 
-impl Following for Waited {
+impl RunFollower for Waited {
     fn begins(&mut self, _: usize, _: &str) {}
 
     fn ended(&mut self, _: usize, _: &str, _: Option<f64>) {}

@@ -21,7 +21,7 @@ type Law = (String, &'static str, Vec<Key>, &'static str, &'static str);
 /// All materials.
 #[pyfunction]
 pub fn materials() -> Vec<Material> {
-    let of = |one: &archard_case::materials::Named| {
+    let of = |one: &archard_case::materials::HandbookMaterial| {
         let known = (one.young, one.poisson, one.density);
         (one.name, one.state, one.source, known, (one.hardness, one.conductivity, one.heat))
     };

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use archard::parameters::Invalid;
 use archard_case::output::{RailWear, contact_row};
-use archard_case::{Prepared, RailError, Task};
+use archard_case::{PreparedContact, RailError, Task};
 use archard_rail::wear::Step;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -21,7 +21,7 @@ type Told = (String, Vec<(String, f64)>);
 
 /// A wheel over its rail.
 #[pyclass(frozen, module = "archard._archard")]
-pub struct WheelRail(Prepared);
+pub struct WheelRail(PreparedContact);
 
 #[pymethods]
 impl WheelRail {
@@ -66,7 +66,7 @@ impl WheelRail {
         py: Python<'_>,
         route: Option<Columns>,
         threads: Option<usize>,
-    ) -> PyResult<Travelled> {
+    ) -> PyResult<RouteResult> {
         let mut prepared = self.0.clone();
         if let Some(route) = route {
             prepared.running.route = route;
@@ -120,7 +120,7 @@ type Row = Vec<(String, f64)>;
 
 /// What a route came to: contacts with the point and whether its profiles are worn, rows a step by side, and profiles with their body
 /// and side.
-type Travelled =
+type RouteResult =
     (Vec<(Option<(usize, bool)>, Told)>, Vec<(String, Row)>, Vec<(String, String, Columns)>);
 
 /// Columns of a profile.

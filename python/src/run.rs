@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
+use archard::simulation::{self, Observer, Report, ResumeError, Simulation, row};
 use archard_case::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
 use archard_case::verdict::Warning;
 use archard_case::{Problem, Task};
@@ -56,7 +56,7 @@ enum Stage {
 /// Why a step did not come to its end.
 pub(crate) enum Broken {
     Simulation(simulation::Error),
-    NotResumed(NotResumed),
+    NotResumed(ResumeError),
     Output(output::Error),
     /// A function in Python raised what waits in [`Failed`].
     Raised,

@@ -1,7 +1,7 @@
 //! Measured surfaces as a case prepares them.
 
 use archard_case::Problem;
-use archard_cli::library::{self, Found, Scans};
+use archard_cli::library::{self, ScanWear, Scans};
 use archard_surface::{HeightMap, Texture};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -56,7 +56,7 @@ pub fn scan_difference<'py>(
 ) -> PyResult<Worn<'py>> {
     let (worn, turn, placed) = options;
     let cases = files.each_ref().map(|file| file.0.clone());
-    let work = move || -> Result<Result<Found, String>, Vec<_>> {
+    let work = move || -> Result<Result<ScanWear, String>, Vec<_>> {
         let read = |case: &archard_case::CaseFile| -> Result<HeightMap, Vec<_>> {
             case.surface().map_err(|problems| {
                 problems.iter().map(|one: &Problem| told(case, one)).collect::<Vec<_>>()
@@ -67,7 +67,7 @@ pub fn scan_difference<'py>(
         Ok(library::scans(&maps, names, &scans))
     };
     let found = away(py, &pool(None)?, work).unless_interrupted()?.map_err(refused)?;
-    let Found { lines, numbers, change, regions } = found.map_err(PyValueError::new_err)?;
+    let ScanWear { lines, numbers, change, regions } = found.map_err(PyValueError::new_err)?;
     let [nx, ny] = change.elements();
     let changes = PyArray1::from_slice(py, change.heights()).reshape([ny, nx])?;
     let regions = PyArray1::from_slice(py, &regions).reshape([ny, nx])?;

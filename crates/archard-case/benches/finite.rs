@@ -12,9 +12,9 @@ use std::time::{Duration, Instant};
 use archard::body::{Finite, Material};
 use archard::compliance::bem::contact::Job;
 use archard::compliance::bem::{
-    Assembled, Condensed, Evaluations, evaluate_alone, integrate_alone,
+    AssembledBody, CondensedBody, Evaluations, evaluate_alone, integrate_alone,
 };
-use archard::numerics::dense::{Lu, Unsolved};
+use archard::numerics::dense::{Lu, SolveError};
 use archard::numerics::large::Large;
 use archard_case::output::Store;
 use archard_case::{Case, CaseFile};
@@ -150,9 +150,9 @@ fn measured(
     material: &Material,
     job: &Job<'_>,
     stages: &mut Stages,
-) -> Result<Condensed, Unsolved> {
+) -> Result<CondensedBody, SolveError> {
     let begun = Instant::now();
-    let equations = Assembled::new(job.surface, material, job.conditions, finite.tolerance)?;
+    let equations = AssembledBody::new(job.surface, material, job.conditions, finite.tolerance)?;
     let (evaluations, assembly) = (equations.evaluations(), begun.elapsed());
     let solid = equations.factorise()?;
     let factors = begun.elapsed();

@@ -30,7 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
 
-use archard::elastic::{self, Point, Pressed, Response};
+use archard::elastic::{self, Point, PressedHalfSpace, Response};
 use archard::frame::{ContactFrame, VectorField};
 use archard::simulation::{Observer, Report, offsets};
 use archard::units::{self, Dimension, Measure};
@@ -195,7 +195,7 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
         let bodies = problem.bodies.each_ref();
         let Some((frame, tractions)) = &last.0 else { continue };
         let placed = (which, offsets(&problem.bodies, &problem.motion));
-        let pressed = Pressed::with_ends(bodies, placed, frame, tractions);
+        let pressed = PressedHalfSpace::with_ends(bodies, placed, frame, tractions);
         if let Some(pressed) = pressed.map_err(|error| error.to_string())? {
             let wanted = &resolved.case.points[which];
             let found = pressed.both_sides(wanted).map_err(|error| error.to_string())?;

@@ -22,7 +22,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::motion::{Control, Stepping};
-use archard_case::{Case, CaseFile, Output, Resolved, Solves};
+use archard_case::{Case, CaseFile, Output, RunnableCase, Solves};
 use proptest::prelude::*;
 
 use good_cases::fretting::{self, PATH, fretting};
@@ -50,7 +50,7 @@ fn file(text: &str) -> CaseFile {
     CaseFile::from_text("case.toml", text, Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"))
 }
 
-fn resolve(file: &CaseFile) -> Resolved {
+fn resolve(file: &CaseFile) -> RunnableCase {
     file.resolve().unwrap_or_else(|problems| {
         let lines: Vec<String> = problems.iter().map(|one| file.describe(one)).collect();
         panic!("{}", lines.join("\n"))

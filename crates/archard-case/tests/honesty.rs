@@ -25,7 +25,7 @@ use std::time::Instant;
 use archard::accuracy::Event;
 use archard::simulation::history::{CONTACT_AREA, LOAD, Row, number, stated as stated_of};
 use archard::simulation::{Observer, Report, row};
-use archard_case::{CaseFile, Resolved};
+use archard_case::{CaseFile, RunnableCase};
 
 use cases::{Case, MOTIONS};
 use contact::Truth;
@@ -72,7 +72,7 @@ fn case(case: u64) -> (&'static str, Case) {
 }
 
 /// A case as it is read, with options at times.
-fn resolved(text: &str, options: &[String]) -> Result<Resolved, String> {
+fn resolved(text: &str, options: &[String]) -> Result<RunnableCase, String> {
     let file = CaseFile::from_text("case", text, "");
     let file = options.iter().fold(file, |file, option| file.set(option.as_str()));
     let described = |problem: &archard_case::Problem| file.describe(problem);
@@ -80,7 +80,7 @@ fn resolved(text: &str, options: &[String]) -> Result<Resolved, String> {
 }
 
 /// What makes a run better: the accuracy, and elements that are given.
-fn finer(own: &Resolved) -> Vec<String> {
+fn finer(own: &RunnableCase) -> Vec<String> {
     let asked = own.case.accuracy.expect("an accuracy");
     let mut options = vec![format!("accuracy={}", (asked / BETTER).max(BEST))];
     if !own.chose.elements {
@@ -92,7 +92,7 @@ fn finer(own: &Resolved) -> Vec<String> {
 }
 
 /// The rows of a case, as a command makes them.
-fn rows(resolved: Resolved) -> Result<Vec<Row>, String> {
+fn rows(resolved: RunnableCase) -> Result<Vec<Row>, String> {
     let mut done = Outputs::default();
     let mut watch = |event: Event<'_>| match event {
         Event::Shows(report) => done.observe(report),

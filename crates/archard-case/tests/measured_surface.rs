@@ -38,7 +38,7 @@ fn case(profile: &str) -> String {
     )
 }
 
-fn resolved(folder: &Path, text: &str) -> Result<Box<archard_case::Resolved>, String> {
+fn resolved(folder: &Path, text: &str) -> Result<Box<archard_case::RunnableCase>, String> {
     let file = CaseFile::from_text("case.toml", text, folder);
     match file.task() {
         Ok(Task::Contact(resolved)) => Ok(resolved),

@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use archard::accuracy::{Event, Failed, Unsettled};
+use archard::accuracy::{AccuracyFailure, Event, Failed};
 use archard::simulation::{Error, Observer, Simulation};
 use archard::units::{self, Measure};
-use archard_case::{Case, Resolved, Task};
+use archard_case::{Case, RunnableCase, Task};
 
 use crate::arguments::Run;
 use crate::equations::Equations;
@@ -29,9 +29,9 @@ pub fn budget(task: &Task, arguments: &Run) -> Result<Option<Duration>, Failure>
 }
 
 /// A case on the elements that its accuracy takes.
-pub struct Settled {
+pub struct SettledCase {
     /// The case.
-    pub resolved: Resolved,
+    pub resolved: RunnableCase,
     /// Its simulation.
     pub simulation: Simulation,
     /// What is doubtful about kept compliances.
@@ -42,12 +42,12 @@ pub struct Settled {
 
 /// A case on the elements that its accuracy takes, which are sought as long as a budget lasts.
 pub fn settle(
-    resolved: Resolved,
+    resolved: RunnableCase,
     watch: &Watch,
     follower: &mut Follower,
     arguments: &Run,
     budget: Option<Duration>,
-) -> Result<Settled, Failure> {
+) -> Result<SettledCase, Failure> {
     let (begun, mut watching, store) = (Instant::now(), watch.clone(), arguments.store());
     let (small, sought) = (resolved.case.is_small(), resolved.case.accuracy.is_some());
     let equations = Equations::new(follower.bar(), arguments.quiet);
@@ -89,7 +89,7 @@ pub fn settle(
     }
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     let begun = if sought { Instant::now() } else { begun };
-    Ok(Settled { resolved, simulation, doubts, begun })
+    Ok(SettledCase { resolved, simulation, doubts, begun })
 }
 
 /// A time that is given for the search.
@@ -105,7 +105,7 @@ fn time(text: &str) -> Result<Duration, Failure> {
 }
 
 /// "the run takes 64 x 64 elements on 1.2 mm x 1.2 mm".
-fn grid(resolved: &Resolved) -> String {
+fn grid(resolved: &RunnableCase) -> String {
     let frame = &resolved.case.frame;
     let [x, y] = frame.size.map(|size| format!("{:.4} mm", 1e3 * size));
     let [nx, ny] = frame.elements;
@@ -121,9 +121,9 @@ fn grid(resolved: &Resolved) -> String {
     }
 }
 
-fn failure(error: Unsettled) -> Failure {
+fn failure(error: AccuracyFailure) -> Failure {
     let message = error.to_string();
-    let Unsettled::Run { cause, .. } = &error else { return Failure::Wrong(message) };
+    let AccuracyFailure::Run { cause, .. } = &error else { return Failure::Wrong(message) };
     match &**cause {
         Error::Observer(cause) if cause.is::<Interrupted>() => {
             Failure::Interrupted(format!("{Interrupted} before the run had begun"))

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use archard::elastic::{Deformed, ElasticBody, von_mises};
+use archard::elastic::{DeformedBody, ElasticBody, von_mises};
 use archard_case::ResolvedElastic;
 use archard_case::output::{Totals, write_elastic};
 
@@ -44,7 +44,7 @@ pub fn run(
 /// Says what came out and where it is.
 fn summarize(
     body: &ElasticBody,
-    deformed: &Deformed,
+    deformed: &DeformedBody,
     totals: &Totals,
     dir: &Path,
 ) -> Result<(), Failure> {

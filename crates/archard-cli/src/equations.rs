@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use archard::compliance::bem::{Making, Stage};
+use archard::compliance::bem::{Stage, StageProgress};
 use indicatif::ProgressBar;
 
 use crate::say::tell;
@@ -25,7 +25,7 @@ impl Equations {
     }
 
     /// Shows how far they are.
-    pub fn are(&self, Making { equations, stage, share }: Making) {
+    pub fn are(&self, StageProgress { equations, stage, share }: StageProgress) {
         if let Some(bar) = &self.bar {
             bar.set_message(format!("{} {equations} equations", word(stage)));
             let length = bar.length().unwrap_or_default() as f64;

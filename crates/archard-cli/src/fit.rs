@@ -9,7 +9,7 @@ use archard_case::Task;
 use archard_case::files::Inputs;
 use archard_case::measured::surface::Surface;
 use archard_case::output::{Manifest, Store};
-use archard_lab::{Error, Files, Fit, Following, Request};
+use archard_lab::{Error, Files, Fit, Request, RunFollower};
 
 use crate::arguments::{Fit as Arguments, Run};
 use crate::diagnose;
@@ -133,7 +133,7 @@ impl Follow {
     }
 }
 
-impl Following for Follow {
+impl RunFollower for Follow {
     fn begins(&mut self, _: usize, _: &str) {
         self.shown = Some(Follower::new(self.quiet || !on_terminal()));
     }

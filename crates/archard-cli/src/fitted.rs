@@ -11,7 +11,7 @@ use crate::failure::Failure;
 
 /// A coefficient that tests told.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fitted {
+pub struct FittedCoefficient {
     /// Its key in the case that was fitted.
     pub key: String,
     /// Its unit.
@@ -28,7 +28,7 @@ pub struct Fitted {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitFile {
     /// Its coefficients, one at least.
-    pub coefficients: Vec<Fitted>,
+    pub coefficients: Vec<FittedCoefficient>,
     /// How two of them go together.
     pub together: Option<f64>,
     /// Whether three and more were fitted together, so that pairs tell too little.
@@ -56,7 +56,7 @@ pub fn read(path: &Path) -> Result<FitFile, String> {
     })
 }
 
-fn fitted(own: &Value) -> Result<Fitted, String> {
+fn fitted(own: &Value) -> Result<FittedCoefficient, String> {
     let damaged = || "a coefficient is not whole; fit again".to_owned();
     let key = own["key"].as_str().ok_or_else(damaged)?;
     if let Some(why) = own["rejected"].as_str() {
@@ -73,7 +73,7 @@ fn fitted(own: &Value) -> Result<Fitted, String> {
     };
     let ends = own["interval_95"].as_array().map(|ends| ends.iter().map(Value::as_f64).collect());
     let ends: Option<Vec<f64>> = ends.unwrap_or_default();
-    Ok(Fitted {
+    Ok(FittedCoefficient {
         key: key.to_owned(),
         unit: own["unit"].as_str().unwrap_or_default().to_owned(),
         median: number("median").filter(|median| *median > 0.0).ok_or_else(damaged)?,

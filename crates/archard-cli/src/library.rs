@@ -12,7 +12,7 @@ use crate::plot::results::Results;
 use crate::{compare, plot, report};
 
 pub use crate::compare::Options as Comparing;
-pub use crate::compare::scans::{Found, Scans};
+pub use crate::compare::scans::{ScanWear, Scans};
 
 /// Writes the page of a folder, next to measured tables and other runs, as `archard report` does; returns its file.
 ///
@@ -46,7 +46,7 @@ pub fn comparison(
 ///
 /// # Errors
 /// Why it is not found, in words.
-pub fn scans(maps: &[HeightMap; 2], names: [String; 2], scans: &Scans) -> Result<Found, String> {
+pub fn scans(maps: &[HeightMap; 2], names: [String; 2], scans: &Scans) -> Result<ScanWear, String> {
     compare::scans::found(maps, names, scans).map_err(in_words)
 }
 

@@ -8,13 +8,13 @@ use std::path::PathBuf;
 use archard::motion::Progress;
 use archard::simulation::{Error, Simulation};
 use archard_case::output::{Life, Lives};
-use archard_case::{Case, CaseFile, Resolved};
+use archard_case::{Case, CaseFile, RunnableCase};
 use archard_lab::next_test;
 
 use crate::arguments::Run;
 use crate::diagnose;
 use crate::failure::Failure;
-use crate::fitted::{self, Fitted};
+use crate::fitted::{self, FittedCoefficient};
 use crate::interrupt::{Interrupted, Watch};
 use crate::number::four;
 use crate::progress::Follower;
@@ -24,12 +24,12 @@ const TOLD: [f64; 3] = [0.01, 0.1, 0.5];
 
 /// Coefficients of a fit, by their keys in the case of the run.
 #[derive(Debug, Clone)]
-pub struct Told {
-    coefficients: Vec<Fitted>,
+pub struct FitSample {
+    coefficients: Vec<FittedCoefficient>,
     source: PathBuf,
 }
 
-impl Told {
+impl FitSample {
     /// The coefficients that are asked for, if any are.
     pub fn of(arguments: &Run) -> Result<Option<Self>, Failure> {
         let Some(source) = &arguments.from else { return Ok(None) };
@@ -61,17 +61,17 @@ impl Told {
     /// itself.
     pub fn foresee(
         self,
-        resolved: &Resolved,
+        resolved: &RunnableCase,
         arguments: &Run,
         (watch, follower): (&Watch, &mut Follower),
-    ) -> Result<Option<Foreseen>, Failure> {
+    ) -> Result<Option<LifeForecast>, Failure> {
         let case = &resolved.case;
         if case.until.is_empty() {
             return Ok(None);
         }
         let [own] = &self.coefficients[..] else {
             let why = "several coefficients scatter: `archard sweep CASE --from FIT --samples 200` draws them all".to_owned();
-            return Ok(Some(Foreseen { told: self, by: By::Nothing(why) }));
+            return Ok(Some(LifeForecast { told: self, by: By::Nothing(why) }));
         };
         let own = own.clone();
         let laid = |k: f64| laid(case, arguments, &own, k);
@@ -79,7 +79,7 @@ impl Told {
             (similar(laid(own.median)?), similar(laid(2.0 * own.median)?))
             && one == other
         {
-            return Ok(Some(Foreseen { told: self, by: By::Scale }));
+            return Ok(Some(LifeForecast { told: self, by: By::Scale }));
         }
         let mut runs = vec![];
         for k in own.tried() {
@@ -94,7 +94,7 @@ impl Told {
             simulation.run(&mut [&mut life, &mut *follower, &mut watch.clone()]).map_err(failed)?;
             runs.push(life.reached().map_or(f64::INFINITY, |reached| reached.progress));
         }
-        Ok(Some(Foreseen { told: self, by: By::Runs(runs) }))
+        Ok(Some(LifeForecast { told: self, by: By::Runs(runs) }))
     }
 }
 
@@ -111,12 +111,12 @@ enum By {
 
 /// Coefficients, and the lives that they make.
 #[derive(Debug)]
-pub struct Foreseen {
-    told: Told,
+pub struct LifeForecast {
+    told: FitSample,
     by: By,
 }
 
-impl Foreseen {
+impl LifeForecast {
     /// How lives scatter about that of the medians.
     pub fn about(self, life: &Life) -> Lives {
         let median = life.reached().map_or(f64::INFINITY, |reached| reached.progress);
@@ -162,7 +162,7 @@ impl Foreseen {
 }
 
 /// Whether the life of the smallest coefficient that was tried is longer than that of the largest.
-fn falls(own: &Fitted, runs: &[f64], median: f64) -> bool {
+fn falls(own: &FittedCoefficient, runs: &[f64], median: f64) -> bool {
     let tried = own.tried().into_iter().zip(runs.iter().copied());
     let mut lives: Vec<(f64, f64)> = tried.chain([(own.median, median)]).collect();
     lives.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -170,7 +170,7 @@ fn falls(own: &Fitted, runs: &[f64], median: f64) -> bool {
     longest > shortest || longest.is_infinite() || lives.len() == 1
 }
 
-impl Fitted {
+impl FittedCoefficient {
     /// The ends of the interval of the median, from the shorter life to the longer one.
     fn ends(&self) -> Vec<f64> {
         self.interval.map_or(vec![], |[low, high]| vec![high, low])
@@ -194,14 +194,14 @@ fn curve() -> Vec<f64> {
     (1..=90).map(|share| f64::from(share) / 100.0).collect()
 }
 
-fn put(file: CaseFile, own: &Fitted, k: f64) -> CaseFile {
+fn put(file: CaseFile, own: &FittedCoefficient, k: f64) -> CaseFile {
     let value =
         if own.unit.is_empty() { format!("{k:e}") } else { format!("\"{k:e} {}\"", own.unit) };
     file.set_by("--from", format!("{}={value}", own.key))
 }
 
 /// The case as it runs, on the same elements, with another coefficient.
-fn laid(case: &Case, arguments: &Run, own: &Fitted, k: f64) -> Result<Case, Failure> {
+fn laid(case: &Case, arguments: &Run, own: &FittedCoefficient, k: f64) -> Result<Case, Failure> {
     let folder = arguments.case.as_deref().map_or(PathBuf::new(), |path| {
         let folder = if path.is_dir() { Some(path) } else { path.parent() };
         folder.map(PathBuf::from).unwrap_or_default()

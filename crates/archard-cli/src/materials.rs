@@ -1,6 +1,6 @@
 //! `archard materials`: lists the materials that a case can name, or shows one.
 
-use archard_case::materials::{MATERIALS, Named};
+use archard_case::materials::{HandbookMaterial, MATERIALS};
 
 use crate::failure::Failure;
 use crate::number::four;
@@ -15,7 +15,7 @@ const TYPICAL: &str =
 /// Lists all materials, or shows that of a name.
 pub fn materials(name: Option<&str>) -> Result<(), Failure> {
     let Some(name) = name else { return list() };
-    let one = Named::find(name)
+    let one = HandbookMaterial::find(name)
         .map_err(|unknown| Failure::wrong(format!("{unknown}; {}", unknown.help())))?;
     say(&page(one))
 }
@@ -42,9 +42,19 @@ fn list() -> Result<(), Failure> {
 }
 
 /// All there is to read of a material.
-fn page(one: &Named) -> String {
-    let Named { name, also, state, young, poisson, density, hardness, conductivity, heat, source } =
-        one;
+fn page(one: &HandbookMaterial) -> String {
+    let HandbookMaterial {
+        name,
+        also,
+        state,
+        young,
+        poisson,
+        density,
+        hardness,
+        conductivity,
+        heat,
+        source,
+    } = one;
     let mut page = format!("{name}: {state}\n\n");
     let mut add = |label: &str, value: Option<String>| {
         let value = value.unwrap_or_else(|| "not given".to_owned());

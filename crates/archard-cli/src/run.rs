@@ -6,19 +6,19 @@ use std::path::Path;
 use archard::simulation::{Effort, Error, Observer};
 use archard_case::output::{self, Lives, Stresses, Totals};
 use archard_case::verdict::{Verdict, Warning};
-use archard_case::{Problem, Resolved, Task};
+use archard_case::{Problem, RunnableCase, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Report, Run};
 use crate::cam;
-use crate::companions::{self, Settled};
+use crate::companions::{self, SettledCase};
 use crate::diagnose;
 use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
 use crate::gear;
 use crate::interrupt::{self, Interrupted, Watch};
-use crate::lives::{Foreseen, Told};
+use crate::lives::{FitSample, LifeForecast};
 use crate::outcome::Outcome;
 use crate::progress::Follower;
 use crate::report;
@@ -36,7 +36,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let file = diagnose::read(&arguments.case())?;
-    let told = Told::of(arguments)?;
+    let told = FitSample::of(arguments)?;
     let file = match &told {
         Some(told) => told.put(arguments, file)?,
         None => file,
@@ -57,7 +57,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 /// Runs a case in the folder that is held.
 fn in_folder(
     dir: &Path,
-    (task, told): (Task, Option<Told>),
+    (task, told): (Task, Option<FitSample>),
     watch: &Watch,
     arguments: &Run,
 ) -> Result<(), Failure> {
@@ -65,11 +65,12 @@ fn in_folder(
     let budget = companions::budget(&task, arguments)?;
     match &task {
         Task::Contact(resolved) => {
-            let resolved = Resolved::clone(resolved);
+            let resolved = RunnableCase::clone(resolved);
             let settled = companions::settle(resolved, watch, &mut follower, arguments, budget)?;
             let small = settled.resolved.case.is_small();
             let resolved = &settled.resolved;
-            let foresee = |told: Told| told.foresee(resolved, arguments, (watch, &mut follower));
+            let foresee =
+                |told: FitSample| told.foresee(resolved, arguments, (watch, &mut follower));
             let lives = told.map(foresee).transpose()?.flatten();
             let contact = || contact((settled, lives), watch, follower, (arguments, dir));
             match arguments.threads.is_none() && small {
@@ -91,13 +92,13 @@ fn in_folder(
 
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
-    (settled, lives): (Settled, Option<Foreseen>),
+    (settled, lives): (SettledCase, Option<LifeForecast>),
     watch: &Watch,
     mut follower: Follower,
     (arguments, dir): (&Run, &Path),
 ) -> Result<(), Failure> {
-    let Settled { resolved, simulation, doubts, begun } = settled;
-    let Resolved { case, forecast, warnings, .. } = &resolved;
+    let SettledCase { resolved, simulation, doubts, begun } = settled;
+    let RunnableCase { case, forecast, warnings, .. } = &resolved;
     follower.begin();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use archard_case::output::{Place, Store};
-use archard_lab::validate::{Set, Validated, in_markdown, validate};
+use archard_lab::validate::{Set, Validation, in_markdown, validate};
 
 use crate::arguments::Validate as Arguments;
 use crate::failure::Failure;
@@ -27,7 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let page = arguments.output.as_ref().map(|page| Place::free_or(page, own)).transpose();
     let page = page.map_err(wrong)?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
-    let mut all: Vec<Validated> = vec![];
+    let mut all: Vec<Validation> = vec![];
     for set in &sets {
         let mut follow = Follow::new(arguments.quiet);
         let found = validate(set, (&runs(set), store.as_ref()), &mut follow);
@@ -39,7 +39,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         all.push(found);
     }
     if arguments.json {
-        let sets: Vec<_> = all.iter().map(Validated::json).collect();
+        let sets: Vec<_> = all.iter().map(Validation::json).collect();
         say(&format!(
             "{:#}",
             serde_json::json!({ "program": "archard", "version": env!("CARGO_PKG_VERSION"), "sets": sets })

@@ -6,7 +6,7 @@ use crate::station::Station;
 
 /// Flanks that are worn.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Worn {
+pub struct WornFlanks {
     /// The stations with what they bear at the end.
     pub stations: Vec<Station>,
     /// From the new flanks to the worn ones.
@@ -19,7 +19,7 @@ pub struct Worn {
     pub life: Option<(Limit, f64)>,
 }
 
-impl Worn {
+impl WornFlanks {
     /// The end of the course.
     pub fn last(&self) -> &Moment {
         &self.course[self.course.len() - 1]
@@ -34,7 +34,7 @@ impl Worn {
 impl Mesh {
     /// How far (m) wear displaces the contact on the flanks at most: where they slope against the involutes, the contact lies as far from
     /// the computed place as both flanks together need to turn, the slope times their radius of curvature against each other.
-    pub fn displaced(&self, worn: &Worn) -> f64 {
+    pub fn displaced(&self, worn: &WornFlanks) -> f64 {
         let nodes = self.nodes();
         let displaced = |flank: usize, node: usize| {
             let [here, next] = [node, node + 1].map(|node| nodes[node].place);
@@ -77,7 +77,7 @@ impl Wearing for Flanks<'_> {
 
 impl Mesh {
     /// Wears the flanks over so many meshes of a flank of gear 1, and as many times that of gear 2 as said, or until a limit is reached.
-    pub fn wear(&self, meshes: f64, of_gear_two: f64, limits: &[Limit]) -> Worn {
+    pub fn wear(&self, meshes: f64, of_gear_two: f64, limits: &[Limit]) -> WornFlanks {
         let nodes = self.nodes();
         let flanks = Flanks { mesh: self, nodes: &nodes, meshes: [1.0, of_gear_two] };
         let Marched { course, errors, life } = march(&flanks, meshes, limits);
@@ -91,7 +91,7 @@ impl Mesh {
             let missed = self.volume(&nodes, (flank, &errors[flank]), 1);
             [fine, (fine - coarse).abs() + missed]
         });
-        Worn { stations, course, errors, volumes, life }
+        WornFlanks { stations, course, errors, volumes, life }
     }
 
     /// Volume (m^3) off a flank by Simpson's rule over every so many nodes.

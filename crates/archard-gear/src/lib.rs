@@ -17,7 +17,7 @@ mod mesh;
 mod sharing;
 mod station;
 
-pub use flanks::Worn;
+pub use flanks::WornFlanks;
 pub use involute::{Gear, Pair};
 pub use laws::{Laws, Misfit};
 pub use march::{Limit, Moment};

@@ -4,7 +4,7 @@ use std::error::Error as StdError;
 
 use super::runs::{built, described, passing, put};
 use super::untold::laws;
-use super::{Error, Following};
+use super::{Error, RunFollower};
 use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, worn_profile};
 use archard_case::output::Store;
@@ -16,23 +16,23 @@ pub(super) struct Shapes<'a, 'f> {
     file: &'a CaseFile,
     case: Case,
     store: Option<&'a Store>,
-    following: &'a mut (dyn Following + 'f),
+    following: &'a mut (dyn RunFollower + 'f),
     /// Whether runs have half the elements of the case along each axis.
     halved: bool,
     /// What was put into the case, how far the run went, and what it shows.
-    known: Vec<(Vec<Setting>, f64, Shown)>,
+    known: Vec<(Vec<Setting>, f64, DrawnCurve)>,
 }
 
 /// A key with a value (SI) and its unit.
 pub(super) type Setting = (String, f64, String);
 
 /// Sections through the middle, by body and axis, step by step.
-type Shown = [[Vec<Vec<[f64; 2]>>; 2]; 2];
+type DrawnCurve = [[Vec<Vec<[f64; 2]>>; 2]; 2];
 
 impl<'a, 'f> Shapes<'a, 'f> {
     pub fn of(
         (file, case): (&'a CaseFile, Case),
-        (store, following): (Option<&'a Store>, &'a mut (dyn Following + 'f)),
+        (store, following): (Option<&'a Store>, &'a mut (dyn RunFollower + 'f)),
         halved: bool,
     ) -> Self {
         Self { file, case, store, following, halved, known: vec![] }
@@ -76,7 +76,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
         Shape::of(steps).ok_or_else(none)
     }
 
-    fn run(&mut self, settings: &[Setting], share: f64) -> Result<Shown, Error> {
+    fn run(&mut self, settings: &[Setting], share: f64) -> Result<DrawnCurve, Error> {
         let file = settings.iter().fold(self.file.clone(), put);
         let settings = described(settings);
         let mut case = file
@@ -92,7 +92,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
         let failed = |why: String| Error::Run { settings: settings.clone(), why };
         let mut simulation = built(&case, self.store).map_err(|error| failed(error.to_string()))?;
         simulation.schedule = passing(&simulation.problem.motion, &simulation.schedule, &[share]);
-        let mut recorder = Recorder { share, shown: Shown::default() };
+        let mut recorder = Recorder { share, shown: DrawnCurve::default() };
         match simulation.run(&mut [&mut recorder, self.following.observer()]) {
             Ok(_) => Ok(recorder.shown),
             Err(simulation::Error::Observer(cause)) => Err(Error::Stopped { cause, runs: 0 }),
@@ -104,7 +104,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
 /// Keeps worn sections up to a share of the run.
 struct Recorder {
     share: f64,
-    shown: Shown,
+    shown: DrawnCurve,
 }
 
 impl Observer for Recorder {

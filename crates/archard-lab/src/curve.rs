@@ -1,6 +1,6 @@
 //! A quantity over how far a run went, between its steps.
 
-use super::Expected;
+use super::Expectation;
 
 /// Half the width, in logarithms, of what a step-shaped curve is smoothed over, and the least number of points.
 const WINDOW: f64 = 0.35;
@@ -37,10 +37,10 @@ impl Curve {
     }
 
     /// At a progress, with the derivative of the logarithm; beyond the ends by the slopes there.
-    pub fn at(&self, progress: f64) -> Expected {
+    pub fn at(&self, progress: f64) -> Expectation {
         let x = progress.ln();
         let last = self.places.len() - 1;
-        let end = |i: usize| Expected {
+        let end = |i: usize| Expectation {
             log: self.values[i] + self.slopes[i] * (x - self.places[i]),
             slope: self.slopes[i],
         };
@@ -63,7 +63,7 @@ impl Curve {
         let slope =
             (6.0 * (t2 - t) * (a - b) + (3.0 * t2 - 4.0 * t + 1.0) * m + (3.0 * t2 - 2.0 * t) * n)
                 / length;
-        Expected { log, slope }
+        Expectation { log, slope }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Why there is no fit.
 
-use super::Unfitted;
+use super::NoFit;
 use archard_case::{CaseFile, Problem, measured};
 
 /// Why a case cannot be fitted to what was measured.
@@ -72,9 +72,9 @@ impl Error {
         Self::Mismatch(why.join("\n"))
     }
 
-    pub(super) fn untold(test: &str, cause: Unfitted<Error>) -> Self {
+    pub(super) fn untold(test: &str, cause: NoFit<Error>) -> Self {
         match cause {
-            Unfitted::Model(error) => error,
+            NoFit::Model(error) => error,
             other => Self::Untold { test: test.to_owned(), why: other.to_string() },
         }
     }

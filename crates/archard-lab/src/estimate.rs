@@ -2,7 +2,7 @@
 
 use super::effects::{Effects, factor, known_factor};
 use super::shape::{self, Exponent};
-use super::within::{Expected, Fitted, Test, Unfitted, correlation, shown, weights};
+use super::within::{Expectation, FittedTest, NoFit, Test, correlation, shown, weights};
 
 /// Degrees of freedom of what is known from elsewhere.
 pub(super) const MANY: f64 = 1e6;
@@ -46,7 +46,7 @@ pub struct Estimate {
     /// Standard uncertainties of the median by their sources, relative.
     pub budget: Vec<Common>,
     /// The fits of the tests.
-    pub fitted: Vec<Fitted>,
+    pub fitted: Vec<FittedTest>,
 }
 
 /// Tests and the names of what was measured in them.
@@ -59,7 +59,7 @@ pub struct Study {
 }
 
 /// What a model says of the readings of a test (by its place) at a logarithm of k.
-pub type Model<'a, E> = &'a mut dyn FnMut(usize, f64) -> Result<Vec<Expected>, E>;
+pub type Model<'a, E> = &'a mut dyn FnMut(usize, f64) -> Result<Vec<Expectation>, E>;
 
 /// A test that has no k.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -68,7 +68,7 @@ pub struct NoEstimate<E: std::error::Error + 'static> {
     /// The test.
     pub test: String,
     /// Why.
-    pub cause: Unfitted<E>,
+    pub cause: NoFit<E>,
 }
 
 impl Study {
@@ -124,10 +124,10 @@ impl Study {
         (of_quantity, settled): (&[f64], f64),
         from: &[f64],
         model: Model<'_, E>,
-    ) -> Result<Vec<Fitted>, NoEstimate<E>> {
+    ) -> Result<Vec<FittedTest>, NoEstimate<E>> {
         let one = |(index, test): (usize, &Test)| {
             let mut own = |log_k: f64| model(index, log_k);
-            Fitted::find(test, &weights(test, of_quantity), (from[index], settled), &mut own)
+            FittedTest::find(test, &weights(test, of_quantity), (from[index], settled), &mut own)
                 .map_err(|cause| NoEstimate { test: test.name.clone(), cause })
         };
         self.tests.iter().enumerate().map(one).collect()
@@ -147,7 +147,7 @@ impl Study {
 
     fn conclude(
         &self,
-        (fitted, of_quantity): (Vec<Fitted>, Vec<f64>),
+        (fitted, of_quantity): (Vec<FittedTest>, Vec<f64>),
         readings: Option<Vec<f64>>,
         stated: bool,
         common: &[Common],
@@ -237,7 +237,7 @@ impl Estimate {
 }
 
 /// How many times as much residuals scatter as the weights say; `None` where that may be chance.
-fn excess(fitted: &[Fitted], weights: &[Vec<f64>], degrees: f64) -> Option<f64> {
+fn excess(fitted: &[FittedTest], weights: &[Vec<f64>], degrees: f64) -> Option<f64> {
     use statrs::distribution::{ChiSquared, ContinuousCDF};
     let squares: f64 = (fitted.iter().zip(weights))
         .flat_map(|(fitted, weights)| fitted.residuals.iter().zip(weights).map(|(r, w)| w * r * r))

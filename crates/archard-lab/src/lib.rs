@@ -30,13 +30,13 @@ pub use error::Error;
 pub use estimate::{Common, Estimate, Model, NoEstimate, Study};
 pub use more::More;
 pub use next::{next_test, together};
-pub use outcome::{Coefficient, Fit, Shown};
-pub use runs::Following;
+pub use outcome::{Coefficient, DrawnCurve, Fit};
+pub use runs::RunFollower;
 pub use search::Request;
 pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
-pub use surfaces::{Files, Measured, Taken};
+pub use surfaces::{Files, MeasuredFile, ScarReading};
 pub use untold::Untold;
-pub use within::{Expected, Fitted, Reading, Test, Unfitted};
+pub use within::{Expectation, FittedTest, NoFit, Reading, Test};
 
 use archard_case::measured::Table;
 use archard_case::{CaseFile, Task};

@@ -3,9 +3,9 @@
 use super::Error;
 use super::computed::Shapes;
 use super::quantity::{KINDS, Kind, Quantity};
-use super::surfaces::{self, Column, Taken};
+use super::surfaces::{self, Column, ScarReading};
 use super::untold;
-use super::{Files, Measured, Reading, Test};
+use super::{Files, MeasuredFile, Reading, Test};
 use archard::units::Measure;
 use archard_case::Case;
 use archard_case::measured::Table;
@@ -44,7 +44,7 @@ pub(super) struct Measurement {
     pub progress: (&'static str, &'static [&'static str]),
     pub targets: Vec<Target>,
     /// What was taken from profiles and height maps.
-    pub surfaces: Vec<Measured>,
+    pub surfaces: Vec<MeasuredFile>,
     /// What is to be said of the table.
     pub remarks: Vec<String>,
 }
@@ -52,7 +52,7 @@ pub(super) struct Measurement {
 impl Measurement {
     /// Whether profiles are yet to be held against the shapes of runs.
     pub fn waits(&self) -> bool {
-        self.surfaces.iter().any(|own| own.scar == Taken::Unmeasured)
+        self.surfaces.iter().any(|own| own.scar == ScarReading::Unmeasured)
     }
 
     /// Of a table, for the case; keys in the place of the coefficients of the bodies. Profiles are held against the shapes of runs; without
@@ -114,7 +114,7 @@ fn columns(
     (case, one): (&Case, Option<usize>),
     files: Files<'_>,
     mut shapes: Option<&mut Shapes<'_, '_>>,
-) -> Result<(Vec<Column>, Vec<Measured>), Error> {
+) -> Result<(Vec<Column>, Vec<MeasuredFile>), Error> {
     let (mut found, mut surfaces) = (vec![], vec![]);
     let kinds = KINDS.map(|(column, kind)| (column, Some(kind)));
     for name in table.names() {

@@ -63,7 +63,7 @@ impl More {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Expected, Reading, Study, Test};
+    use crate::{Expectation, Reading, Study, Test};
 
     /// Tests read without error: the half of the interval is t s / root n, with Student's t of any table.
     #[test]
@@ -81,9 +81,10 @@ mod tests {
         };
         let tests: Vec<Test> = [0.8f64, 1.0, 1.25].into_iter().enumerate().map(test).collect();
         let study = Study { quantities: vec!["volume".to_owned()], tests };
-        let mut model = |_: usize, log_k: f64| -> Result<Vec<Expected>, std::convert::Infallible> {
-            Ok(vec![Expected { log: log_k, slope: 1.0 }])
-        };
+        let mut model =
+            |_: usize, log_k: f64| -> Result<Vec<Expectation>, std::convert::Infallible> {
+                Ok(vec![Expectation { log: log_k, slope: 1.0 }])
+            };
         let found = study.estimate((1.0, 1e-9), &[], &mut model).unwrap();
         let more = found.more().unwrap();
         // Logarithms -0.2231, 0, 0.2231.

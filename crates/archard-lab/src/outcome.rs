@@ -1,6 +1,6 @@
 //! What a fit found.
 
-use super::{Estimate, Measured, Test};
+use super::{Estimate, MeasuredFile, Test};
 
 /// A coefficient that was fitted.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +18,12 @@ pub struct Coefficient {
     /// The tests.
     pub tests: Vec<Test>,
     /// What the case shows: each load, each quantity by its place, and points of progress and value (SI) at the median.
-    pub curves: Vec<Shown>,
+    pub curves: Vec<DrawnCurve>,
 }
 
 /// A curve to be drawn next to readings.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shown {
+pub struct DrawnCurve {
     /// The load (N), where tests have loads of their own.
     pub load: Option<f64>,
     /// The quantity, as its place in the list.
@@ -45,7 +45,7 @@ pub struct Fit {
     /// How the errors of (the logarithms of) coefficients that were fitted together correlate, a row each; empty of others.
     pub together: Vec<Vec<f64>>,
     /// What was taken from profiles and height maps.
-    pub surfaces: Vec<Measured>,
+    pub surfaces: Vec<MeasuredFile>,
     /// What has to be said.
     pub remarks: Vec<String>,
     /// What is doubtful about the runs.

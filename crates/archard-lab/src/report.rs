@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::estimate::UNTOLD as UNTOLD_BY;
 use super::outcome::{Coefficient, Fit};
-use super::{Estimate, Exponent, Measured};
+use super::{Estimate, Exponent, MeasuredFile};
 use archard_case::output::verdict_json;
 use archard_case::verdict::{self, Line, Verdict, Warning, Word, four};
 
@@ -171,7 +171,7 @@ impl Fit {
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
             "correlations": self.together,
-            "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
+            "surfaces": self.surfaces.iter().map(MeasuredFile::json).collect::<Vec<_>>(),
             "remarks": self.remarks,
             "verdict": verdict_json(&self.verdict()),
             "unsettled": self.not_settled(),

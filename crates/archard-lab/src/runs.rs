@@ -7,16 +7,16 @@ use std::time::Instant;
 use super::curve::Curve;
 use super::kept::{self, Kept, Row};
 use super::quantity::{Kind, Quantity};
-use super::{Error, Expected};
+use super::{Error, Expectation};
 use archard::motion::{Motion, Schedule, Stepping};
 use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, Simulation, history};
 use archard_case::output::{Claim, ResultFolder, Store, Totals};
 use archard_case::verdict::{Verdict, Word};
-use archard_case::{BuildError, Case, CaseFile, Problem, Resolved, Severity};
+use archard_case::{BuildError, Case, CaseFile, Problem, RunnableCase, Severity};
 
 /// What follows the runs of a fit.
-pub trait Following {
+pub trait RunFollower {
     /// A run begins, the first being 1, with what was put into the case.
     fn begins(&mut self, run: usize, settings: &str);
 
@@ -40,7 +40,7 @@ pub(super) struct Runner<'a> {
     pub columns: &'a [&'a str],
     pub dir: &'a Path,
     pub store: Option<&'a Store>,
-    pub following: &'a mut dyn Following,
+    pub following: &'a mut dyn RunFollower,
     /// Number of runs so far, and the files they are kept in.
     pub count: usize,
     pub kept: Vec<PathBuf>,
@@ -77,7 +77,7 @@ pub(super) struct Run {
 
 impl Run {
     /// What it says of a quantity at a place.
-    pub fn at(&self, quantity: usize, place: f64) -> Expected {
+    pub fn at(&self, quantity: usize, place: f64) -> Expectation {
         self.curves[quantity].at(place)
     }
 }
@@ -126,7 +126,7 @@ impl Runner<'_> {
     fn follow(
         &mut self,
         simulation: Simulation,
-        (resolved, name, settings): (&Resolved, &str, &str),
+        (resolved, name, settings): (&RunnableCase, &str, &str),
     ) -> Result<(Vec<Row>, Verdict), Error> {
         let failed = |why: String| Error::Run { settings: settings.to_owned(), why };
         let begun = Instant::now();
@@ -159,7 +159,7 @@ impl Runner<'_> {
     }
 
     /// The case with the changes.
-    fn resolve(&self, changes: &Changes) -> Result<Resolved, Error> {
+    fn resolve(&self, changes: &Changes) -> Result<RunnableCase, Error> {
         let file = changes.settings.iter().fold(self.file.clone(), put);
         file.resolve().map_err(|problems| {
             let errors = problems.iter().filter(|problem| problem.severity == Severity::Error);

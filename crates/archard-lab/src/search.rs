@@ -20,15 +20,15 @@ use super::computed::Shapes;
 use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
-use super::runs::{Changes, Following, Run, Runner, built};
+use super::runs::{Changes, Run, RunFollower, Runner, built};
 use super::surfaces;
 use super::untold::{self, Untold};
-use super::{Common, Error, Estimate, Expected, Files, Study, Test};
-use archard::accuracy::{Event, Unsettled};
+use super::{Common, Error, Estimate, Expectation, Files, Study, Test};
+use archard::accuracy::{AccuracyFailure, Event};
 use archard::simulation;
 use archard_case::measured::Table;
 use archard_case::output::Store;
-use archard_case::{Case, CaseFile, Resolved, Source};
+use archard_case::{Case, CaseFile, RunnableCase, Source};
 
 /// The factor by which a coefficient is changed to find a slope by a difference: small, and far above the error of the steps.
 pub(super) const TRIED: f64 = 1.1;
@@ -50,12 +50,12 @@ pub struct Request<'a> {
     /// Kept compliances.
     pub store: Option<&'a Store>,
     /// Follows the runs.
-    pub following: &'a mut dyn Following,
+    pub following: &'a mut dyn RunFollower,
 }
 
 /// The coefficients of two bodies in contact.
 pub(super) fn fit(
-    (file, resolved): (&CaseFile, Resolved),
+    (file, resolved): (&CaseFile, RunnableCase),
     table: &Table,
     request: Request<'_>,
 ) -> Result<Fit, Error> {
@@ -144,9 +144,9 @@ pub(super) fn fit(
 /// all runs of a fit have the same.
 pub(super) fn settled(
     file: &CaseFile,
-    resolved: Resolved,
+    resolved: RunnableCase,
     store: Option<&Store>,
-    following: &mut dyn Following,
+    following: &mut dyn RunFollower,
 ) -> Result<(CaseFile, Case), Error> {
     if resolved.case.accuracy.is_none() {
         return Ok((file.clone(), resolved.case));
@@ -158,11 +158,11 @@ pub(super) fn settled(
     };
     let settled = resolved.settle(&mut |case| Ok(built(case, store)?), &mut watch);
     let (settled, _) = settled.map_err(|error| match error {
-        Unsettled::Run { elements, cause } => match *cause {
+        AccuracyFailure::Run { elements, cause } => match *cause {
             simulation::Error::Observer(cause) => Error::Stopped { cause, runs: 0 },
-            cause => {
-                Error::Mismatch(Unsettled::Run { elements, cause: Box::new(cause) }.to_string())
-            }
+            cause => Error::Mismatch(
+                AccuracyFailure::Run { elements, cause: Box::new(cause) }.to_string(),
+            ),
         },
         other => Error::Mismatch(other.to_string()),
     })?;
@@ -330,7 +330,12 @@ impl Search<'_> {
     }
 
     /// What runs say of the readings of a test at a logarithm of its coefficient.
-    fn expected(&mut self, place: usize, test: &Test, log_k: f64) -> Result<Vec<Expected>, Error> {
+    fn expected(
+        &mut self,
+        place: usize,
+        test: &Test,
+        log_k: f64,
+    ) -> Result<Vec<Expectation>, Error> {
         let far = 1.0 + self.variant.far.unwrap_or(0.0);
         let model = self.model(place, test.load, log_k)?;
         within((self.table, self.progress), model.end(), test)?;

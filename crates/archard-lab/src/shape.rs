@@ -3,7 +3,7 @@
 use std::f64::consts::LN_10;
 
 use super::effects::{Effects, chance, factor};
-use super::within::{Fitted, Test};
+use super::within::{FittedTest, Test};
 
 /// A law is rejected where chance would show what was seen less often than this: where the 95 % interval of an exponent leaves it out.
 pub const REJECTED: f64 = 0.05;
@@ -81,7 +81,7 @@ impl Exponent {
 /// are not independent. Fewer than three tests are judged by their residuals, and tests of one reading each by how their k
 /// goes with the distance.
 pub fn over_distance(
-    (tests, fitted): (&[Test], &[Fitted]),
+    (tests, fitted): (&[Test], &[FittedTest]),
     weights: &[Vec<f64>],
     correlation: f64,
 ) -> Option<Exponent> {
@@ -98,7 +98,7 @@ pub fn over_distance(
         return Some(Exponent::of(1.0, mean, deviation, degrees));
     }
     if slopes.is_empty() {
-        let point = |(test, fitted): (&Test, &Fitted)| [mean_log(test), fitted.log_k];
+        let point = |(test, fitted): (&Test, &FittedTest)| [mean_log(test), fitted.log_k];
         let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect();
         let [slope, deviation] = line(&points)?;
         return Some(Exponent::of(1.0, slope, deviation, points.len() as f64 - 2.0));
@@ -129,7 +129,7 @@ struct Slope {
 
 impl Slope {
     /// Least squares for the exponent besides k.
-    fn of(test: &Test, fitted: &Fitted, weights: &[f64]) -> Option<Self> {
+    fn of(test: &Test, fitted: &FittedTest, weights: &[f64]) -> Option<Self> {
         let size = weights.len();
         let sum =
             |part: &dyn Fn(usize) -> f64| -> f64 { (0..size).map(|j| weights[j] * part(j)).sum() };
@@ -151,8 +151,8 @@ impl Slope {
 /// The exponent of the load that k depends on, where a constant k says 0; `None` without three tests at two loads. Loads at which wear
 /// that does not depend on them at all would change k by what is [negligible](NEGLIGIBLE) are one load, as that of a dead weight is
 /// measured a little differently in each test.
-pub fn over_loads(tests: &[Test], fitted: &[Fitted]) -> Option<Exponent> {
-    let point = |(test, fitted): (&Test, &Fitted)| Some([test.load?.ln(), fitted.log_k]);
+pub fn over_loads(tests: &[Test], fitted: &[FittedTest]) -> Option<Exponent> {
+    let point = |(test, fitted): (&Test, &FittedTest)| Some([test.load?.ln(), fitted.log_k]);
     let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect::<Option<_>>()?;
     let ends = points.iter().map(|point| point[0]);
     let [low, high] = [ends.clone().reduce(f64::min)?, ends.reduce(f64::max)?];
@@ -186,7 +186,7 @@ fn mean_log(test: &Test) -> f64 {
 /// The tests of each load, by rising load, and what they say together; `None` of a load with a single test.
 pub fn by_load(
     tests: &[Test],
-    fitted: &[Fitted],
+    fitted: &[FittedTest],
     variances: &[f64],
 ) -> Vec<(f64, usize, f64, Option<Effects>)> {
     let mut loads: Vec<f64> = tests.iter().filter_map(|test| test.load).collect();
@@ -208,13 +208,13 @@ pub fn by_load(
 #[cfg(test)]
 mod tests {
     use super::{Exponent, over_loads};
-    use crate::within::{Fitted, Test};
+    use crate::within::{FittedTest, Test};
 
     /// A dead weight that was measured a little differently in each test is one load, and gives no exponent; two loads give one.
     #[test]
     fn nearly_equal_loads_are_one() {
         let fitted = [0.0, 0.1, -0.1, 0.05];
-        let fitted = fitted.map(|log_k| Fitted { log_k, slopes: vec![], residuals: vec![] });
+        let fitted = fitted.map(|log_k| FittedTest { log_k, slopes: vec![], residuals: vec![] });
         let tests = |loads: [f64; 4]| {
             loads.map(|load| Test { name: load.to_string(), load: Some(load), readings: vec![] })
         };

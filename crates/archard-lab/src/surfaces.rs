@@ -12,7 +12,7 @@ use archard::body::profile::Profile;
 use archard_case::Case;
 use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
-use archard_case::measured::surface::{Scar, Surface, Unworn};
+use archard_case::measured::surface::{Scar, Surface, UnwornSurface};
 use archard_case::verdict::four;
 use archard_surface::scar::{NoScar, Scar as ProfileScar};
 
@@ -33,7 +33,7 @@ pub struct Files<'a> {
 
 /// What came of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Measured {
+pub struct MeasuredFile {
     /// The line of the table that names it.
     pub line: u64,
     /// The file, as the table has it.
@@ -44,12 +44,12 @@ pub struct Measured {
     kind: Kind,
     body: (usize, String),
     /// The scar.
-    pub scar: Taken,
+    pub scar: ScarReading,
 }
 
 /// A scar as a file has it.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Taken {
+pub enum ScarReading {
     /// On a map, by what lies next to it.
     Map(Box<Scar>),
     /// On a profile, held against a computed section along an axis (0: x, 1: y).
@@ -73,9 +73,9 @@ pub(super) fn read(
     (case, body): (&Case, usize),
     files: Files<'_>,
     mut shapes: Option<&mut Shapes<'_, '_>>,
-) -> Result<(Vec<Column>, Vec<Measured>), Error> {
+) -> Result<(Vec<Column>, Vec<MeasuredFile>), Error> {
     let shape = Shape::of(case, body)?;
-    let (mut columns, mut all): (Vec<Column>, Vec<Measured>) = (vec![], vec![]);
+    let (mut columns, mut all): (Vec<Column>, Vec<MeasuredFile>) = (vec![], vec![]);
     let texts = table.texts(name).unwrap_or_default();
     for (row, (file, line)) in texts.iter().zip(table.lines()).enumerate() {
         if file.is_empty() {
@@ -97,7 +97,7 @@ pub(super) fn read(
         let kind = shape.kind(surface.axis()).map_err(refuse)?;
         let scar = match (surface.axis(), shapes.as_deref_mut()) {
             (None, _) => shape.on_map(&surface).map_err(refuse)?,
-            (Some(_), None) => Taken::Unmeasured,
+            (Some(_), None) => ScarReading::Unmeasured,
             (Some(axis), Some(shapes)) => {
                 shape.on_profile((&surface, axis), (shapes, body), &refuse)?
             }
@@ -116,7 +116,7 @@ pub(super) fn read(
         }
         let (factor, unit) = kind.shown();
         let quantity = (quantity.name, factor, unit);
-        all.push(Measured {
+        all.push(MeasuredFile {
             line,
             file: (*file).to_owned(),
             quantity,
@@ -140,11 +140,11 @@ fn in_a_table((file, bytes): (&str, &[u8]), columns: &[(&str, &str)]) -> Result<
 
 /// Refuses a key of the shape that surfaces were levelled by: runs with another value would be held against sections and
 /// volumes taken with this one.
-pub(super) fn refuse_shape(surfaces: &[Measured], key: &str) -> Result<(), Error> {
-    let own = |of: &&Measured| key.starts_with(&format!("body.{}.profile.", of.body.1));
+pub(super) fn refuse_shape(surfaces: &[MeasuredFile], key: &str) -> Result<(), Error> {
+    let own = |of: &&MeasuredFile| key.starts_with(&format!("body.{}.profile.", of.body.1));
     match surfaces.iter().find(own) {
         None => Ok(()),
-        Some(Measured { file, .. }) => Err(Error::Mismatch(format!(
+        Some(MeasuredFile { file, .. }) => Err(Error::Mismatch(format!(
             "`{key}` is of the shape that `{file}` was levelled by, and what was taken from the file goes by it: put the other \
              value into the case, fit again, and see by how much the coefficient changes"
         ))),
@@ -192,10 +192,10 @@ impl<'a> Shape<'a> {
         }
     }
 
-    fn on_map(&self, surface: &Surface) -> Result<Taken, String> {
+    fn on_map(&self, surface: &Surface) -> Result<ScarReading, String> {
         let height = |[x, y]: [f64; 2]| -self.profile.recess(x, y);
-        let scar = Scar::find(surface, Unworn::passing(&height, self.passes));
-        scar.map(|scar| Taken::Map(Box::new(scar))).map_err(|error| error.to_string())
+        let scar = Scar::find(surface, UnwornSurface::passing(&height, self.passes));
+        scar.map(|scar| ScarReading::Map(Box::new(scar))).map_err(|error| error.to_string())
     }
 
     /// The scar on a profile, held against that of a run which wears about as much.
@@ -204,7 +204,7 @@ impl<'a> Shape<'a> {
         (surface, axis): (&Surface, usize),
         (shapes, body): (&mut Shapes<'_, '_>, usize),
         refuse: &dyn Fn(String) -> Error,
-    ) -> Result<Taken, Error> {
+    ) -> Result<ScarReading, Error> {
         let height = |place: f64| match axis {
             0 => -self.profile.recess(place, 0.0),
             _ => -self.profile.recess(0.0, place),
@@ -216,7 +216,7 @@ impl<'a> Shape<'a> {
             let settings = shapes.scaled(factor);
             let shape = shapes.at((body, axis), (&settings, 1.0))?;
             match ProfileScar::find(&readings, &height, &shape) {
-                Ok(scar) => return Ok(Taken::Profile(Box::new(scar), axis)),
+                Ok(scar) => return Ok(ScarReading::Profile(Box::new(scar), axis)),
                 Err(NoScar::OtherSize { grown }) => factor *= grown,
                 Err(why) => return Err(refuse(why.to_string())),
             }
@@ -238,18 +238,18 @@ impl<'a> Shape<'a> {
     }
 }
 
-impl Taken {
+impl ScarReading {
     /// What is worn off and its standard uncertainty (SI): by half of the 95 % interval of a profile, which has few independent readings.
     fn worn(&self) -> (f64, f64) {
         match self {
-            Taken::Map(scar) => (scar.worn, scar.uncertainty),
-            Taken::Profile(scar, _) => (scar.section.value, scar.section.normal()),
-            Taken::Unmeasured => (1.0, 1.0),
+            ScarReading::Map(scar) => (scar.worn, scar.uncertainty),
+            ScarReading::Profile(scar, _) => (scar.section.value, scar.section.normal()),
+            ScarReading::Unmeasured => (1.0, 1.0),
         }
     }
 }
 
-impl Measured {
+impl MeasuredFile {
     /// What is worn off, a section (m^2) or a volume (m^3), and its standard uncertainty.
     pub fn worn(&self) -> (f64, f64) {
         self.scar.worn()
@@ -258,7 +258,9 @@ impl Measured {
     /// The scar of a profile, with its body and axis, where it stands in a line.
     pub(super) fn profile_in(&self, line: u64) -> Option<((usize, usize), &ProfileScar)> {
         match &self.scar {
-            Taken::Profile(scar, axis) if self.line == line => Some(((self.body.0, *axis), scar)),
+            ScarReading::Profile(scar, axis) if self.line == line => {
+                Some(((self.body.0, *axis), scar))
+            }
             _ => None,
         }
     }
@@ -275,14 +277,14 @@ impl Measured {
             format!("uncertainty_{unit}"): uncertainty,
         });
         let own = match &self.scar {
-            Taken::Map(scar) => {
+            ScarReading::Map(scar) => {
                 let Scar { plane, middle, extent, deepest, angle, gaps, .. } = &**scar;
                 json!({
                     "deepest_m": deepest, "from_to_m": extent, "middle_m": middle, "angle_rad": angle, "tilt": plane.tilt,
                     "offset_m": plane.offset, "readings_beside": plane.used, "scatter_m": plane.scatter, "gaps": gaps,
                 })
             }
-            Taken::Profile(scar, axis) => {
+            ScarReading::Profile(scar, axis) => {
                 let along = |value: f64| if *axis == 0 { [value, 0.0] } else { [0.0, value] };
                 let ends = scar.extent.map(along);
                 let extent = [0, 1].map(|axis| ends.map(|end: [f64; 2]| end[axis]));
@@ -295,7 +297,7 @@ impl Measured {
                     "correlation_length_m": scar.length, "misfit": scar.misfit, "spikes": scar.spikes, "debris": scar.debris,
                 })
             }
-            Taken::Unmeasured => json!({}),
+            ScarReading::Unmeasured => json!({}),
         };
         if let (Some(all), Value::Object(own)) = (all.as_object_mut(), own) {
             all.extend(own);
@@ -305,7 +307,7 @@ impl Measured {
 }
 
 /// In words.
-impl fmt::Display for Measured {
+impl fmt::Display for MeasuredFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (worn, uncertainty) = self.scar.worn();
         let (name, factor, unit) = &self.quantity;
@@ -317,9 +319,9 @@ impl fmt::Display for Measured {
             100.0 * uncertainty / worn
         )?;
         match &self.scar {
-            Taken::Map(scar) => map_in_words(f, scar),
-            Taken::Profile(scar, axis) => profile_in_words(f, (scar, ["x", "y"][*axis])),
-            Taken::Unmeasured => Ok(()),
+            ScarReading::Map(scar) => map_in_words(f, scar),
+            ScarReading::Profile(scar, axis) => profile_in_words(f, (scar, ["x", "y"][*axis])),
+            ScarReading::Unmeasured => Ok(()),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use super::{Estimate, Expected, Reading, Study, Test};
+use super::{Estimate, Expectation, Reading, Study, Test};
 use archard::units::Measure;
 use archard_case::measured::Table;
 
@@ -63,7 +63,7 @@ impl Made {
 
 fn estimate(study: &Study, exponent: f64) -> Estimate {
     let mut model = |test: usize, log_k: f64| {
-        let of = |reading: &Reading| Expected {
+        let of = |reading: &Reading| Expectation {
             log: exponent * (log_k + reading.progress.ln()),
             slope: exponent,
         };
@@ -203,7 +203,7 @@ fn what_is_common_adds_up() {
     let made = Made { tests: 10, between: 0.0, reading: 1e-6, ..SERIES };
     let study = made.study(&mut Normal(fastrand::Rng::with_seed(19)));
     let mut model = |test: usize, log_k: f64| {
-        let of = |r: &Reading| Expected { log: 0.25 * (log_k + r.progress.ln()), slope: 0.25 };
+        let of = |r: &Reading| Expectation { log: 0.25 * (log_k + r.progress.ln()), slope: 0.25 };
         Ok::<_, Infallible>(study.tests[test].readings.iter().map(of).collect())
     };
     let common = [("load".to_owned(), 0.03), ("radius".to_owned(), 0.04)];
@@ -219,7 +219,7 @@ fn a_flat_likelihood_is_said() {
     let made = Made { exponent: 1e-3, ..SERIES };
     let study = made.study(&mut Normal(fastrand::Rng::with_seed(23)));
     let mut model = |test: usize, log_k: f64| {
-        let of = |r: &Reading| Expected { log: 1e-3 * (log_k + r.progress.ln()), slope: 1e-3 };
+        let of = |r: &Reading| Expectation { log: 1e-3 * (log_k + r.progress.ln()), slope: 1e-3 };
         Ok::<_, Infallible>(study.tests[test].readings.iter().map(of).collect())
     };
     let error = study.estimate((K, 1e-9), &[], &mut model).unwrap_err().to_string();
@@ -273,7 +273,7 @@ fn widths_from(tests: &[Test], first: &[f64]) -> Option<Estimate> {
         let of = |reading: &Reading| {
             let worn = log_k.exp() * tests[test].load.unwrap() * reading.progress;
             let all = first[test].powi(4) + worn;
-            Expected { log: 0.25 * all.ln(), slope: 0.25 * worn / all }
+            Expectation { log: 0.25 * all.ln(), slope: 0.25 * worn / all }
         };
         Ok::<_, Infallible>(tests[test].readings.iter().map(of).collect())
     };
@@ -311,8 +311,10 @@ fn readings_with_and_without_uncertainties_go_together() {
     let study = Study { quantities: vec!["section".into(), "depth".into()], tests };
     let progress: Vec<Vec<f64>> =
         study.tests.iter().map(|test| test.readings.iter().map(|r| r.progress).collect()).collect();
-    let mut model = |test: usize, log_k: f64| -> Result<Vec<Expected>, std::convert::Infallible> {
-        Ok(progress[test].iter().map(|s| Expected { log: log_k + s.ln(), slope: 1.0 }).collect())
+    let mut model = |test: usize,
+                     log_k: f64|
+     -> Result<Vec<Expectation>, std::convert::Infallible> {
+        Ok(progress[test].iter().map(|s| Expectation { log: log_k + s.ln(), slope: 1.0 }).collect())
     };
     let found = study.estimate((1.0, 1e-9), &[], &mut model).unwrap();
     // A hundredth over the root of twenty is a fifth of a per cent.

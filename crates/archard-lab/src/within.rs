@@ -28,7 +28,7 @@ pub struct Test {
 
 /// What a model says of a reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Expected {
+pub struct Expectation {
     /// Natural logarithm of the value.
     pub log: f64,
     /// Its derivative with respect to the logarithm of k.
@@ -37,7 +37,7 @@ pub struct Expected {
 
 /// A test with the k that fits it best.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fitted {
+pub struct FittedTest {
     /// Natural logarithm of k.
     pub log_k: f64,
     /// Derivatives of the logarithms of the values with respect to that of k.
@@ -55,7 +55,7 @@ pub(super) const FLAT: f64 = 1e-4;
 
 /// Why a test has no k.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Unfitted<E> {
+pub enum NoFit<E> {
     /// The model failed.
     #[error(transparent)]
     Model(#[from] E),
@@ -76,7 +76,7 @@ pub fn weights(test: &Test, of_quantity: &[f64]) -> Vec<f64> {
     test.readings.iter().map(weight).collect()
 }
 
-impl Fitted {
+impl FittedTest {
     /// The best k of a test by Gauss and Newton, from a guess of its logarithm on until it changes by less than given.
     ///
     /// # Errors
@@ -85,8 +85,8 @@ impl Fitted {
         test: &Test,
         weights: &[f64],
         (guess, settled): (f64, f64),
-        model: &mut dyn FnMut(f64) -> Result<Vec<Expected>, E>,
-    ) -> Result<Self, Unfitted<E>> {
+        model: &mut dyn FnMut(f64) -> Result<Vec<Expectation>, E>,
+    ) -> Result<Self, NoFit<E>> {
         let mut log_k = guess;
         let mut stride = STRIDE;
         let mut last = 0.0;
@@ -97,7 +97,7 @@ impl Fitted {
             };
             let information = sum(&|j| fitted.slopes[j].powi(2));
             if information <= FLAT * weights.iter().sum::<f64>() {
-                return Err(Unfitted::Flat);
+                return Err(NoFit::Flat);
             }
             let change = sum(&|j| fitted.slopes[j] * fitted.residuals[j]) / information;
             // Runs jump a little with k: between two sides of a jump there is no better k.
@@ -111,11 +111,12 @@ impl Fitted {
             last = change.clamp(-stride, stride);
             log_k += last;
         }
-        Err(Unfitted::Unsettled)
+        Err(NoFit::Unsettled)
     }
 
-    fn at(test: &Test, log_k: f64, expected: &[Expected]) -> Self {
-        let left = |(reading, expected): (&Reading, &Expected)| reading.value.ln() - expected.log;
+    fn at(test: &Test, log_k: f64, expected: &[Expectation]) -> Self {
+        let left =
+            |(reading, expected): (&Reading, &Expectation)| reading.value.ln() - expected.log;
         Self {
             log_k,
             slopes: expected.iter().map(|expected| expected.slope).collect(),
@@ -131,7 +132,7 @@ impl Fitted {
 
 /// Standard deviations of the readings of each quantity without uncertainties of their own that the residuals show, relative; `None` where
 /// no test has a reading more than it takes to tell k. Tests are fitted with the weights of these.
-pub fn shown(tests: &[Test], fitted: &[Fitted], known: &[f64]) -> Option<Vec<f64>> {
+pub fn shown(tests: &[Test], fitted: &[FittedTest], known: &[f64]) -> Option<Vec<f64>> {
     let mut squares = vec![0.0; known.len()];
     let mut degrees = vec![0.0; known.len()];
     for (test, fitted) in tests.iter().zip(fitted) {
@@ -160,7 +161,7 @@ pub fn shown(tests: &[Test], fitted: &[Fitted], known: &[f64]) -> Option<Vec<f64
 /// How much the residuals of one reading and the next of a series agree, from 0 to 0.9; zero where that may be chance.
 ///
 /// Wear accumulates: what one reading is off, the next one is too, and they are not two independent readings.
-pub fn correlation(fitted: &[Fitted]) -> f64 {
+pub fn correlation(fitted: &[FittedTest]) -> f64 {
     const CHANCE: f64 = 1.645;
     let (mut products, mut squares, mut count) = (0.0, 0.0, 0.0);
     for residuals in fitted.iter().map(|fitted| &fitted.residuals) {

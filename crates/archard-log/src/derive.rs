@@ -7,14 +7,14 @@ use crate::error::Error;
 use crate::head;
 use crate::options::Options;
 use crate::rate::FEWEST;
-use crate::roles::{self, Chosen};
+use crate::roles::{self, LogColumn};
 use crate::steps::{ends, median, steps};
 use crate::table::Table;
 use crate::unit::FREE_FALL;
 
 /// What is known of each reading, in SI.
 #[derive(Debug)]
-pub struct Derived {
+pub struct ReadingState {
     /// Time (s).
     pub time: Option<Vec<f64>>,
     /// Distance slid (m).
@@ -28,7 +28,7 @@ pub struct Derived {
     /// Friction coefficient.
     pub friction: Option<Vec<f64>>,
     /// The column of the wear.
-    pub wear: Option<Chosen>,
+    pub wear: Option<LogColumn>,
     /// Whether a profile across the track says what was worn.
     pub profile: bool,
     /// The rows of each step.
@@ -49,7 +49,7 @@ impl Reader<'_> {
         self.said.push((name.to_owned(), words));
     }
 
-    fn chosen(&mut self, role: &'static str) -> Result<Option<Chosen>, Error> {
+    fn chosen(&mut self, role: &'static str) -> Result<Option<LogColumn>, Error> {
         let chosen = roles::choose(self.table, role, &self.options.columns)?;
         if let Some(chosen) = &chosen {
             let more = chosen.said.as_ref().map_or(String::new(), |said| format!(", {said}"));
@@ -76,7 +76,7 @@ impl Reader<'_> {
         if column.is_some() {
             return Ok(column);
         }
-        let of_head = |stated: &head::Stated| stated.value.filter(|value| *value > 0.0);
+        let of_head = |stated: &head::HeaderValue| stated.value.filter(|value| *value > 0.0);
         let diameter = || head::of_diameter(self.table).filter(|_| name == "radius");
         let stated = head::stated(self.table, name).filter(|own| of_head(own).is_some());
         let Some(stated) = stated.or_else(diameter) else { return Ok(None) };
@@ -123,7 +123,7 @@ impl Reader<'_> {
 ///
 /// # Errors
 /// If nothing says how far the bodies slid, or columns contradict one another.
-pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
+pub fn derive(table: &Table, options: &Options) -> Result<ReadingState, Error> {
     let mut read = Reader { table, options, said: vec![] };
     if let Some(rig) = roles::rig(table) {
         read.say("format", format!("{rig}, by its headings"));
@@ -200,7 +200,7 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     let mut said = read.said;
     said.extend(table.said.iter().map(|words| ("reading".to_owned(), words.clone())));
     let profile = options.profile;
-    Ok(Derived { time, distance, radius, speed, load, friction, wear, profile, steps, said })
+    Ok(ReadingState { time, distance, radius, speed, load, friction, wear, profile, steps, said })
 }
 
 /// A column, as a way to the distance.

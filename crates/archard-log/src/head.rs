@@ -8,7 +8,7 @@ use crate::unit::{self, Measure};
 
 /// A value above the table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Stated {
+pub struct HeaderValue {
     /// Its line.
     pub line: usize,
     /// As it stands there.
@@ -18,7 +18,7 @@ pub struct Stated {
 }
 
 /// The value of a role, if one line above the table states it.
-pub fn stated(table: &Table, role: &str) -> Option<Stated> {
+pub fn stated(table: &Table, role: &str) -> Option<HeaderValue> {
     let (_, measure, names) = ROLES.iter().find(|known| known.0 == role)?;
     let is = |name: &str| names.split(' ').any(|known| known == name);
     let above: Vec<&(usize, Vec<String>)> =
@@ -38,7 +38,7 @@ pub fn stated(table: &Table, role: &str) -> Option<Stated> {
             let over = below.and_then(|below| below.get(index)).map_or("", |own| own);
             let own = if value(own, table.decimal).is_some() { own } else { over };
             let units = [unit.as_deref(), behind.map(String::as_str)];
-            of((own, table.decimal), &units, *measure, role).map(|value| Stated {
+            of((own, table.decimal), &units, *measure, role).map(|value| HeaderValue {
                 line: *line,
                 words: format!("{name} {own}"),
                 value,
@@ -48,9 +48,9 @@ pub fn stated(table: &Table, role: &str) -> Option<Stated> {
 }
 
 /// The radius of a track whose diameter is stated.
-pub fn of_diameter(table: &Table) -> Option<Stated> {
+pub fn of_diameter(table: &Table) -> Option<HeaderValue> {
     let stated = stated(table, "diameter")?;
-    Some(Stated { value: stated.value.map(|value| 0.5 * value), ..stated })
+    Some(HeaderValue { value: stated.value.map(|value| 0.5 * value), ..stated })
 }
 
 /// The line and the seconds of a whole time that stands below the table, as `TotalTime` and `00:01:08.25`.

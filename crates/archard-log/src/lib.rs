@@ -25,7 +25,7 @@ pub use error::Error;
 pub use groups::{Group, groups};
 pub use options::Options;
 pub use rate::Rate;
-pub use rows::{ROWS, ROWS_OF_PROFILES, Unmatched, rows, with_profile};
+pub use rows::{NoMatch, ROWS, ROWS_OF_PROFILES, rows, with_profile};
 pub use step::{Course, Step};
 
 use rate::FEWEST;

@@ -7,7 +7,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// A coefficient, its standard error, the degrees of freedom and the decay length of the noise (in spacings).
 #[derive(Debug, Clone, Copy)]
-pub struct Found {
+pub struct NoiseFit {
     /// The estimate.
     pub value: f64,
     /// Its standard error.
@@ -18,7 +18,7 @@ pub struct Found {
     pub length: f64,
 }
 
-impl Found {
+impl NoiseFit {
     /// The 95 % interval.
     pub fn interval(&self) -> [f64; 2] {
         let t = StudentsT::new(0.0, 1.0, self.freedom).expect("a degree of freedom at least");
@@ -38,7 +38,7 @@ pub fn means(values: &[f64], bins: usize) -> Vec<f64> {
 pub const BINS: usize = 60;
 
 /// The last coefficient of `y` on the columns, at equally spaced readings.
-pub fn regress(columns: &[Vec<f64>], y: &[f64]) -> Option<Found> {
+pub fn regress(columns: &[Vec<f64>], y: &[f64]) -> Option<NoiseFit> {
     let (n, p) = (y.len(), columns.len());
     if n < p + 3 {
         return None;
@@ -53,7 +53,7 @@ pub fn regress(columns: &[Vec<f64>], y: &[f64]) -> Option<Found> {
     Some(best.1)
 }
 
-fn at(columns: &[Vec<f64>], y: &[f64], length: f64, share: f64) -> Option<(f64, Found)> {
+fn at(columns: &[Vec<f64>], y: &[f64], length: f64, share: f64) -> Option<(f64, NoiseFit)> {
     let (n, p) = (y.len(), columns.len());
     let rho = (-1.0 / length).exp();
     let (mut states, mut variance, mut log_det) = (vec![0.0; p + 1], 1.0 - share, 0.0);
@@ -97,7 +97,7 @@ fn at(columns: &[Vec<f64>], y: &[f64], length: f64, share: f64) -> Option<(f64, 
     let own = root[p - 1][p - 1];
     let columns_log: f64 = (0..p).map(|k| root[k][k].ln()).sum();
     let likelihood = -0.5 * log_det - columns_log - 0.5 * freedom * squares.ln();
-    let found = Found {
+    let found = NoiseFit {
         value: root[p][p - 1] / own,
         error: (squares / freedom).sqrt() / own,
         // Scale, length and share of the noise: three degrees at least.

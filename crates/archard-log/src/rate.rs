@@ -1,6 +1,6 @@
 //! The steady part of a step and its wear rate.
 
-use crate::noise::{BINS, Found, means, regress};
+use crate::noise::{BINS, NoiseFit, means, regress};
 use crate::transducer::resolution;
 
 /// Readings that a rate needs: twice as many as line and noise have parameters, in each half.
@@ -52,7 +52,7 @@ pub fn rate(distance: &[f64], depth: &[f64], jumps: &[usize]) -> Option<Rate> {
     let found = regress(&columns, &means(depth, bins))?;
     // Two ends, each rounded: a variance of a twelfth of the square of the resolution each.
     let rounded = resolution(depth) / 6f64.sqrt();
-    let found = Found { error: found.error.hypot(rounded), ..found };
+    let found = NoiseFit { error: found.error.hypot(rounded), ..found };
     Some(Rate {
         rate: found.value / span,
         interval: found.interval().map(|end| end / span),

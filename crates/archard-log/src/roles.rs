@@ -86,7 +86,7 @@ const RIGS: [Rig; 3] = [
 
 /// A column that was found, in SI.
 #[derive(Debug, Clone)]
-pub struct Chosen {
+pub struct LogColumn {
     /// The title in the log.
     pub title: String,
     /// The unit that was taken.
@@ -113,7 +113,7 @@ pub fn choose(
     table: &Table,
     role: &'static str,
     options: &[(String, String)],
-) -> Result<Option<Chosen>, Error> {
+) -> Result<Option<LogColumn>, Error> {
     let (_, measure, names) =
         ROLES.iter().find(|known| known.0 == role).expect("the role is listed");
     let (log, line) = (table.source.clone(), table.heading);
@@ -212,7 +212,7 @@ pub fn choose(
     let values = column.values.iter().map(|value| value * size).collect();
     let grows = given.is_some_and(|given| given.starts_with('-'))
         || ["wear", "verschleiss", "depth", "tiefe"].iter().any(|word| column.name.contains(word));
-    Ok(Some(Chosen { title: column.title.clone(), unit, values, grows, said }))
+    Ok(Some(LogColumn { title: column.title.clone(), unit, values, grows, said }))
 }
 
 /// Whether a column of this measure holds the dead weight that is the load.

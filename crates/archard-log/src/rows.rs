@@ -39,7 +39,7 @@ pub fn rows<'a>(logs: impl IntoIterator<Item = &'a Log>) -> Vec<String> {
 /// Why a profile cannot stand next to a log.
 #[derive(Debug, Error, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Unmatched {
+pub enum NoMatch {
     /// No load.
     #[error("{log}: nothing says the load: give --set load=\"5 N\"")]
     NoLoad {
@@ -71,19 +71,19 @@ pub enum Unmatched {
 ///
 /// # Errors
 /// If the log gives no load, no distance, or several loads.
-pub fn with_profile(log: &Log, file: &str) -> Result<String, Unmatched> {
+pub fn with_profile(log: &Log, file: &str) -> Result<String, NoMatch> {
     let source = || log.source.clone();
     let slid: Vec<&Step> = log.steps.iter().filter(|step| step.distance > 0.0).collect();
     let far: f64 = slid.iter().map(|step| step.distance).sum();
     if far <= 0.0 {
-        return Err(Unmatched::NoDistance { log: source() });
+        return Err(NoMatch::NoDistance { log: source() });
     }
     let loads: Option<Vec<f64>> = slid.iter().map(|step| step.load).collect();
-    let Some(loads) = loads else { return Err(Unmatched::NoLoad { log: source() }) };
+    let Some(loads) = loads else { return Err(NoMatch::NoLoad { log: source() }) };
     let changed = slid.iter().filter_map(|step| step.changed).flatten();
     let [low, high] = range(&loads.into_iter().chain(changed).collect::<Vec<_>>());
     if !near(low, high) {
-        return Err(Unmatched::Loads { log: source(), low, high });
+        return Err(NoMatch::Loads { log: source(), low, high });
     }
     Ok(format!("{},{far:.6e},{high:.6e},\"{}\"", log.name(), file.replace('"', "\"\"")))
 }

@@ -1,6 +1,6 @@
 //! A step of a test: the readings under load and in motion, their rate, friction, jumps and spikes.
 
-use crate::derive::Derived;
+use crate::derive::ReadingState;
 use crate::number::four;
 use crate::rate::{self, FEWEST, Rate};
 use crate::steps::{ends, median, range};
@@ -66,7 +66,12 @@ impl Step {
     }
 
     /// The step of these rows; `start` is where the steady part begins (m), if a user says so.
-    pub(crate) fn of(table: &Table, all: &Derived, rows: Range<usize>, start: Option<f64>) -> Self {
+    pub(crate) fn of(
+        table: &Table,
+        all: &ReadingState,
+        rows: Range<usize>,
+        start: Option<f64>,
+    ) -> Self {
         let own = |values: &Option<Vec<f64>>| values.as_ref().map(|all| all[rows.clone()].to_vec());
         let distance = &all.distance[rows.clone()];
         let (load, friction, time) = (own(&all.load), own(&all.friction), own(&all.time));
@@ -172,7 +177,13 @@ impl Step {
     }
 
     /// Why it has no wear coefficient.
-    fn refusal(&self, all: &Derived, still: bool, slides: bool, heading: usize) -> Option<String> {
+    fn refusal(
+        &self,
+        all: &ReadingState,
+        still: bool,
+        slides: bool,
+        heading: usize,
+    ) -> Option<String> {
         if !slides {
             return Some("the bodies did not slide in this step".into());
         }

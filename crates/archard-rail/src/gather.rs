@@ -19,7 +19,7 @@ pub struct Point {
 
 /// The points of a history.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Gathered {
+pub struct HistoryPoints {
     /// The points.
     pub points: Vec<Point>,
     /// What they lose: the sum of all that differs, of amounts and of places, relative to the sum of all that is done.
@@ -50,7 +50,7 @@ pub fn gather<E: Send>(
     steps: &[Step],
     within: f64,
     effect: impl Fn(&[f64]) -> Result<Vec<f64>, E> + Sync,
-) -> Result<Gathered, E> {
+) -> Result<HistoryPoints, E> {
     let bin = |chosen: Vec<usize>| {
         let point = mean(steps, &chosen);
         let effect = effect(&point.values)?;
@@ -88,7 +88,7 @@ pub fn gather<E: Send>(
             continue;
         }
         let loss = if all > 0.0 { loss / all } else { 0.0 };
-        return Ok(Gathered {
+        return Ok(HistoryPoints {
             points: bins.into_iter().map(|(bin, ..)| bin.point).collect(),
             loss,
         });

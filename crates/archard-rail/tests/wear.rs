@@ -16,7 +16,7 @@ use archard_rail::contact::{Bodies, Operation, Resolution, contact};
 use archard_rail::curve::{Curve, Smoothing};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Velocity, Wheelset};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
-use archard_rail::wear::{Cracks, Journey, Kept, OperatingPoint, Route, Travelled, WearError};
+use archard_rail::wear::{Cracks, Journey, Kept, OperatingPoint, Route, RouteResult, WearError};
 
 /// Wear coefficient (1/Pa), friction, radius of the wheel (m) and speed (m/s).
 const K: f64 = 1e-13;
@@ -96,7 +96,7 @@ fn journey(setup: Setup, wears: [bool; 2], points: Vec<OperatingPoint>, distance
     }
 }
 
-fn travelled(journey: &Journey) -> Travelled {
+fn travelled(journey: &Journey) -> RouteResult {
     journey.travel(|_, _| ControlFlow::Continue(())).unwrap()
 }
 
@@ -216,9 +216,10 @@ fn the_error_of_a_route_is_true() {
         ..coarse.clone()
     };
     let [coarse, fine] = [travelled(&coarse), travelled(&fine)];
-    let deepest =
-        |worn: &[archard_rail::wear::Worn]| worn[0].wheel.depths().into_iter().fold(0.0, f64::max);
-    let volume = |worn: &[archard_rail::wear::Worn]| worn[0].wheel.volume();
+    let deepest = |worn: &[archard_rail::wear::WornSide]| {
+        worn[0].wheel.depths().into_iter().fold(0.0, f64::max)
+    };
+    let volume = |worn: &[archard_rail::wear::WornSide]| worn[0].wheel.volume();
     for value in [&deepest as &dyn Fn(&[_]) -> f64, &volume] {
         let (off, error) = ((value(&coarse.worn) - value(&fine.worn)).abs(), coarse.error(value));
         assert!(off <= error + fine.error(value), "{off} {error}");

@@ -43,5 +43,5 @@ pub use map::{HeightMap, MOST, NoMap};
 pub use means::NoMeans;
 pub use outliers::Outliers;
 pub use plausible::Implausible;
-pub use spectrum::{Mode, Spectrum, Unresolved, Window};
+pub use spectrum::{LostDetail, Mode, Spectrum, Window};
 pub use texture::Texture;

@@ -44,7 +44,7 @@ pub struct Mode {
 
 /// How much of a map points of some distance do not resolve: waves shorter than two of them along x or y.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unresolved {
+pub struct LostDetail {
     /// Their share of the mean square height.
     pub height: f64,
     /// Their share of the mean square slope.
@@ -138,7 +138,7 @@ impl Spectrum {
     }
 
     /// What points that far (m) apart do not resolve. Nothing is known of waves that the map does not have itself.
-    pub fn unresolved(&self, spacing: f64) -> Unresolved {
+    pub fn unresolved(&self, spacing: f64) -> LostDetail {
         // Twice the spacing is the shortest wave that is told from a longer one.
         let highest = 0.5 / spacing * (1.0 + f64::EPSILON.sqrt());
         let share = |power: i32| {
@@ -146,7 +146,7 @@ impl Spectrum {
             let all = self.moment(power);
             if all > 0.0 { self.sum(power, beyond) / all } else { 0.0 }
         };
-        Unresolved { height: share(0), slope: share(2), curvature: share(4) }
+        LostDetail { height: share(0), slope: share(2), curvature: share(4) }
     }
 
     /// The integral of (2 pi f)^power C.

@@ -1,8 +1,8 @@
 //! An elastic body: how loads and supports deform it, without contact or under the tractions of one.
 //!
-//! An [`ElasticBody`] is solved by boundary elements. What comes out is a [`Deformed`]: displacements,
+//! An [`ElasticBody`] is solved by boundary elements. What comes out is a [`DeformedBody`]: displacements,
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
-//! in contact is one too, once its tractions are known: [`Deformed::in_contact`]; of a half-space they say all: [`Pressed`].
+//! in contact is one too, once its tractions are known: [`DeformedBody::in_contact`]; of a half-space they say all: [`PressedHalfSpace`].
 
 mod damage;
 mod edge;
@@ -14,27 +14,27 @@ mod section;
 mod surface;
 
 #[doc(hidden)]
-pub use damage::{Damage, Damaged, Endurance, Tiring};
+pub use damage::{Damage, DamageModel, DamageOfBody, Endurance};
 #[doc(hidden)]
 pub use fatigue::Added;
 pub use fatigue::{Criterion, Cycle};
-pub use half_space::{Pressed, tensor};
+pub use half_space::{PressedHalfSpace, tensor};
 pub use interfaces::{Interface, Side};
 pub use maxima::{Layer, Maxima, Maximum, Piece};
 #[doc(hidden)]
-pub use section::Sampled;
+pub use section::SectionResponse;
 pub use section::{Section, SectionError};
 
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
 use crate::body::{Body, Finite, Material};
-use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
+use crate::compliance::bem::contact::{BodiesInContact, ContactError, Job, supported};
 use crate::compliance::bem::{
-    self, Boundary, Conditions, Interior, Solid, Surface, Told, advice, forces,
+    self, Boundary, Conditions, Interior, Listener, Solid, Surface, advice, forces,
 };
 use crate::compliance::fem::Inside;
-use crate::compliance::{Balance, Undetermined, Unsolved};
+use crate::compliance::{Balance, Indeterminacy, SolveError};
 use crate::frame::VectorField;
 
 /// A body with its loads and supports.
@@ -66,7 +66,7 @@ pub struct Point {
 /// What loads and supports make of a body.
 #[non_exhaustive]
 #[derive(Debug, Clone)]
-pub struct Deformed {
+pub struct DeformedBody {
     /// The elements.
     pub surface: Surface,
     /// Displacement (m) of the surface along x, y and z, a value a node of displacements.
@@ -78,7 +78,7 @@ pub struct Deformed {
     /// Displacement and stress at each point.
     pub points: Vec<Response>,
     /// Displacement and stress on each section.
-    pub sections: Vec<Sampled>,
+    pub sections: Vec<SectionResponse>,
     /// Depth of wear (m), a value a node of tractions; empty where nothing touches the body.
     pub worn: Vec<f64>,
     /// What is left of the balance of forces and moments.
@@ -107,7 +107,7 @@ impl From<bem::Response> for Response {
 pub enum ElasticError {
     /// Its supports do not hold it.
     #[error(transparent)]
-    Undetermined(#[from] Undetermined),
+    Undetermined(#[from] Indeterminacy),
     /// A point is not in the body.
     #[error(
         "the point `{}` at ({}, {}, {}) m lies outside of the body",
@@ -171,7 +171,7 @@ pub enum ElasticError {
     Singular {
         /// What is wrong.
         #[from]
-        cause: Unsolved,
+        cause: SolveError,
     },
     /// It cannot touch the other body.
     #[error(transparent)]
@@ -185,7 +185,7 @@ impl ElasticBody {
     }
 
     /// What is known at the nodes, if the supports hold the body.
-    fn conditions(&self, surface: &Surface) -> Result<Conditions, Undetermined> {
+    fn conditions(&self, surface: &Surface) -> Result<Conditions, Indeterminacy> {
         Conditions::new(surface, |node| supported(&self.finite, node), &[])
     }
 
@@ -206,15 +206,15 @@ impl ElasticBody {
     ///
     /// # Errors
     /// If the body is not held, a point lies outside of it, or its equations have no solution.
-    pub fn solve(&self) -> Result<Deformed, ElasticError> {
+    pub fn solve(&self) -> Result<DeformedBody, ElasticError> {
         let Self { material, finite, .. } = self;
         let surface = self.surface();
         let conditions = self.conditions(&surface)?;
-        let told = Told::default();
+        let told = Listener::default();
         let job = Job { surface: &surface, conditions: &conditions, told };
         let boundary = solve(finite, material, &job, &[])?;
         let wanted = (&self.points[..], &self.sections[..]);
-        Deformed::of((material, finite.tolerance), &job, &boundary, wanted)
+        DeformedBody::of((material, finite.tolerance), &job, &boundary, wanted)
     }
 }
 
@@ -222,7 +222,8 @@ impl ElasticBody {
 pub type Wanted<'a> = (&'a [Point], &'a [Section]);
 
 /// What finds displacements and tractions all over a body under tractions of contact (Pa), three a contact node.
-pub type Solve<'a> = &'a dyn Fn(&Finite, &Material, &Job<'_>, &[f64]) -> Result<Boundary, Unsolved>;
+pub type Solve<'a> =
+    &'a dyn Fn(&Finite, &Material, &Job<'_>, &[f64]) -> Result<Boundary, SolveError>;
 
 /// Solves the equations of a body.
 pub fn solve(
@@ -230,11 +231,11 @@ pub fn solve(
     material: &Material,
     job: &Job<'_>,
     acting: &[f64],
-) -> Result<Boundary, Unsolved> {
+) -> Result<Boundary, SolveError> {
     Ok(Solid::new(job.surface, material, job.conditions, finite.tolerance)?.boundary(acting))
 }
 
-impl Deformed {
+impl DeformedBody {
     /// A meshed body in contact, under tractions of the pairs (Pa) on body 1 and its own loads; `None` where
     /// something else than boundary elements says how it deforms. `which` is its index, 0 or 1.
     ///
@@ -253,7 +254,7 @@ impl Deformed {
     /// they were.
     ///
     /// # Errors
-    /// As [`Deformed::in_contact`].
+    /// As [`DeformedBody::in_contact`].
     pub fn in_contact_by(
         bodies: [&Body; 2],
         which: usize,
@@ -261,7 +262,7 @@ impl Deformed {
         wanted: Wanted<'_>,
         solve: Solve<'_>,
     ) -> Result<Option<Self>, ElasticError> {
-        let meeting = Meeting::of(bodies)?;
+        let meeting = BodiesInContact::of(bodies)?;
         let Body { material: Some(material), finite: Some(finite), .. } = bodies[which] else {
             return Ok(None);
         };

@@ -1,6 +1,6 @@
 //! A relative error in place of elements and steps, for those who put a simulation together themselves.
 
-use archard::accuracy::{Event, Grid, Settled, Unsettled, settle};
+use archard::accuracy::{AccuracyFailure, Event, Grid, SettledRun, settle};
 use archard::body::contact_modulus;
 use archard::body::profile::{Cylinder, Flat, Sphere};
 use archard::closed_form::hertz::{Hertz, Line};
@@ -39,7 +39,7 @@ fn pin(stepping: Stepping, elements: usize) -> Builder {
 }
 
 /// The last row of a run.
-fn last(Settled { simulation, .. }: Settled) -> Row {
+fn last(SettledRun { simulation, .. }: SettledRun) -> Row {
     let mut run = Run::begin(simulation).unwrap();
     while run.step().unwrap() {}
     row(&run.report())
@@ -100,7 +100,7 @@ fn a_search_ends_where_it_is_watched() {
         _ => Ok(()),
     };
     let stopped = ball(pressed(LOAD), 36).settle(0.01, &mut { shown }).unwrap_err();
-    let Unsettled::Run { cause, .. } = stopped else { panic!("{stopped}") };
+    let AccuracyFailure::Run { cause, .. } = stopped else { panic!("{stopped}") };
     assert!(matches!(*cause, Error::Observer(_)), "{cause}");
     let (mut plans, mut short) = (vec![], 0);
     let mut watch = |event: Event<'_>| {

@@ -12,14 +12,18 @@ use archard::body::Profile;
 use archard::body::profile::{Cylinder, Flat, FlatEnd, Sphere};
 use archard::closed_form::first_yield::FirstYield;
 use archard::closed_form::sliding_line;
-use archard::elastic::{Criterion, ElasticError, Maxima, Maximum, Pressed};
+use archard::elastic::{Criterion, ElasticError, Maxima, Maximum, PressedHalfSpace};
 use archard::frame::VectorField;
 use archard::motion::Control;
 use archard::stress::{Components, MEASURES, von_mises};
 use archard::{Body, Contact, Material};
 
 /// Body 1 or 2 of a contact, with friction along x (Pa) by the place and the pressure.
-fn pressed(contact: &Contact, which: usize, friction: impl Fn([f64; 2], f64) -> f64) -> Pressed {
+fn pressed(
+    contact: &Contact,
+    which: usize,
+    friction: impl Fn([f64; 2], f64) -> f64,
+) -> PressedHalfSpace {
     let (problem, pressure) = (contact.problem(), contact.pressure());
     let frame = &problem.frame;
     let tractions = VectorField {
@@ -27,16 +31,16 @@ fn pressed(contact: &Contact, which: usize, friction: impl Fn([f64; 2], f64) -> 
         t2: vec![0.0; pressure.len()],
         n: pressure.iter().map(|p| -p).collect(),
     };
-    Pressed::in_contact(problem.bodies.each_ref(), which, frame, &tractions).unwrap()
+    PressedHalfSpace::in_contact(problem.bodies.each_ref(), which, frame, &tractions).unwrap()
 }
 
 /// The largest stresses, with an even one.
-fn largest(pressed: &Pressed, initial: Components) -> Maxima {
+fn largest(pressed: &PressedHalfSpace, initial: Components) -> Maxima {
     pressed.maxima(&pressed.depths(), (&initial, &[]), &mut |_, _| ()).unwrap()
 }
 
 /// The largest stresses in body 1 or 2 of a contact, with friction in proportion to the pressure.
-fn maxima(contact: &Contact, which: usize, mu: f64) -> (Maxima, Pressed) {
+fn maxima(contact: &Contact, which: usize, mu: f64) -> (Maxima, PressedHalfSpace) {
     let pressed = pressed(contact, which, |_, pressure| mu * pressure);
     (largest(&pressed, [0.0; 6]), pressed)
 }
@@ -297,7 +301,8 @@ fn waves_of_pressure_pull_in_their_troughs() {
         let n = (0..frame.len()).map(|pair| -pressure(pair)).collect();
         let tractions = VectorField { t1: none.clone(), t2: none, n };
         let bodies = contact.problem().bodies.each_ref();
-        let pressed = Pressed::in_contact(bodies, 1, frame, &tractions).unwrap().repeated(size);
+        let pressed =
+            PressedHalfSpace::in_contact(bodies, 1, frame, &tractions).unwrap().repeated(size);
         largest(&pressed, [0.0; 6])
     };
     let pulls = wave - 0.3 / 0.7 * mean;

@@ -6,7 +6,7 @@ use archard::parameters::{Choice, Invalid, Values};
 
 /// One of the interchangeable parts (a profile, a law, a motion, a solver) and its values in SI.
 #[derive(Debug)]
-pub struct Chosen<T: 'static> {
+pub struct ChosenPart<T: 'static> {
     /// What was chosen.
     pub choice: &'static Choice<T>,
     /// The values given (SI).
@@ -15,7 +15,7 @@ pub struct Chosen<T: 'static> {
     pub(super) files: Vec<(&'static str, PathBuf)>,
 }
 
-impl<T> Chosen<T> {
+impl<T> ChosenPart<T> {
     /// The choice of that name with no values given, if there is one.
     pub(super) fn named(name: &str, choices: &'static [Choice<T>]) -> Option<Self> {
         let choice = choices.iter().find(|choice| choice.name == name)?;
@@ -31,13 +31,13 @@ impl<T> Chosen<T> {
     }
 }
 
-impl<T> Clone for Chosen<T> {
+impl<T> Clone for ChosenPart<T> {
     fn clone(&self) -> Self {
         Self { choice: self.choice, values: self.values.clone(), files: self.files.clone() }
     }
 }
 
-impl<T> PartialEq for Chosen<T> {
+impl<T> PartialEq for ChosenPart<T> {
     fn eq(&self, other: &Self) -> bool {
         self.choice.name == other.choice.name
             && self.values == other.values

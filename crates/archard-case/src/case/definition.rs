@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::check::{Parts, footprint, memory};
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::finite::FiniteCase;
 use super::material::MaterialCase;
 use crate::output::{Inside, Limit, Store, WantedStresses};
@@ -11,7 +11,7 @@ pub(in crate::case) use archard::accuracy::MOST;
 use archard::body::mesh::MeshError;
 use archard::body::{Body, Elasticity, Layer, Profile, Thermal};
 use archard::compliance::bem::contact::{self, Condense, Job, condense};
-use archard::compliance::bem::{Making, Told};
+use archard::compliance::bem::{Listener, StageProgress};
 use archard::elastic::{Point, Section};
 use archard::frame::Rectangle;
 use archard::friction::Friction;
@@ -21,7 +21,7 @@ use archard::parameters::Invalid;
 use archard::simulation::{self, Simulation};
 use archard::solve::Solver;
 use archard::solve::tangential::FrictionSolver;
-use archard::wear::{Layered, WearLaw};
+use archard::wear::{LayeredWear, WearLaw};
 
 /// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
 /// takes far more of the processors' time.
@@ -41,13 +41,13 @@ pub struct Case {
     /// From where on (the motion's own unit) it is twice as wide, with elements twice as large; rising.
     pub doubles: Vec<f64>,
     /// The friction between the bodies; `None` without.
-    pub friction: Option<Chosen<Box<dyn Friction>>>,
+    pub friction: Option<ChosenPart<Box<dyn Friction>>>,
     /// The motion.
-    pub motion: Chosen<Planned>,
+    pub motion: ChosenPart<Planned>,
     /// The solver of the contact steps.
-    pub solver: Chosen<Box<dyn Solver>>,
+    pub solver: ChosenPart<Box<dyn Solver>>,
     /// The solver of friction.
-    pub friction_solver: Chosen<Box<dyn FrictionSolver>>,
+    pub friction_solver: ChosenPart<Box<dyn FrictionSolver>>,
     /// When fields are put out.
     pub output: Output,
     /// Limits at which the run ends before the end of the motion, at the first that is reached.
@@ -71,11 +71,11 @@ pub struct BodyCase {
     /// Layers from its surface down.
     pub layers: Vec<LayerCase>,
     /// Its shape; of a meshed body, what its surface lies below the mesh.
-    pub profile: Chosen<Box<dyn Profile>>,
+    pub profile: ChosenPart<Box<dyn Profile>>,
     /// Its mesh; `None` for a half-space.
     pub finite: Option<FiniteCase>,
     /// How it wears; `None` if it does not.
-    pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    pub wear: Option<ChosenPart<Box<dyn WearLaw>>>,
     /// How far below a line of contact its approach and shift are measured from (m); `None` for the default.
     pub depth: Option<f64>,
     /// Its density (kg/m^3); `None` where that of its material counts.
@@ -96,7 +96,7 @@ pub struct LayerCase {
     /// Its indentation hardness (Pa); `None` where it is not known.
     pub hardness: Option<f64>,
     /// How it wears; `None` if it wears as the body below it.
-    pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    pub wear: Option<ChosenPart<Box<dyn WearLaw>>>,
 }
 
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
@@ -148,7 +148,7 @@ pub enum BuildError {
     },
     /// Parts that do not make a simulation.
     #[error(transparent)]
-    Parts(#[from] simulation::Refused),
+    Parts(#[from] simulation::Refusals),
 }
 
 impl Output {
@@ -206,8 +206,8 @@ impl BodyCase {
 
     /// How it wears: layers without a law of their own by that of the body.
     pub(super) fn law(&self) -> Result<Option<Arc<dyn WearLaw>>, Invalid> {
-        let of = |wear: &Option<Chosen<Box<dyn WearLaw>>>| -> Result<_, Invalid> {
-            Ok(wear.as_ref().map(Chosen::build).transpose()?.map(Arc::from))
+        let of = |wear: &Option<ChosenPart<Box<dyn WearLaw>>>| -> Result<_, Invalid> {
+            Ok(wear.as_ref().map(ChosenPart::build).transpose()?.map(Arc::from))
         };
         let below = of(&self.wear)?;
         if self.layers.iter().all(|layer| layer.wear.is_none()) {
@@ -218,7 +218,7 @@ impl BodyCase {
             Ok((one.layer.thickness, own.or_else(|| below.clone())))
         });
         let layers = layers.collect::<Result<Vec<_>, Invalid>>()?;
-        Ok(Some(Arc::new(Layered::new(layers, below)?)))
+        Ok(Some(Arc::new(LayeredWear::new(layers, below)?)))
     }
 
     /// What its material gives of the body; nothing of one with layers, which is another at its surface.
@@ -334,10 +334,10 @@ impl Case {
     pub fn build_telling(
         &self,
         store: Option<&Store>,
-        tell: &(dyn Fn(Making) + Sync),
+        tell: &(dyn Fn(StageProgress) + Sync),
     ) -> Result<Simulation, BuildError> {
         self.build_with(&|finite, material, job| {
-            let job = Job { told: Told::by(tell), ..*job };
+            let job = Job { told: Listener::by(tell), ..*job };
             match store {
                 Some(store) => store.condense(finite, material, &job),
                 None => condense(finite, material, &job),

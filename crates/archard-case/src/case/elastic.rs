@@ -6,7 +6,7 @@ use super::check::{footprint, memory, slender};
 use super::definition::{BodyCase, BuildError, FrameCase};
 use super::key::Key;
 use super::problem::Problem;
-use archard::body::mesh::{Listed, Meshed};
+use archard::body::mesh::{ContactMesh, MeshSurface};
 use archard::compliance::bem::Size;
 use archard::elastic::{ElasticBody, ElasticError, Point, Section};
 use archard::parameters::Invalid;
@@ -30,7 +30,7 @@ pub struct ElasticCase {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ElasticForecast {
     /// The surfaces with their numbers of elements.
-    pub surfaces: Vec<Listed>,
+    pub surfaces: Vec<MeshSurface>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of points inside.
@@ -87,7 +87,7 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
     let memory = footprint::BYTES_OF_THE_PROGRAM + Size { unknowns, ..Size::default() }.memory();
     let long = body.slenderness.and_then(|longest| slender::problem(&case.body, longest));
     let problems = problems.chain(memory::of_body(&case.body, memory)).chain(long).collect();
-    let Meshed { mesh, zone, .. } = &body.finite.meshed;
+    let ContactMesh { mesh, zone, .. } = &body.finite.meshed;
     let forecast = ElasticForecast {
         surfaces: mesh.listed(zone),
         unknowns,

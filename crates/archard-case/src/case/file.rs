@@ -11,7 +11,7 @@ use toml::de::DeTable;
 use super::accuracy;
 use super::cam;
 use super::check;
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::elastic;
 use super::gear;
 use super::key::{Key, Part};
@@ -19,7 +19,7 @@ use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::resolved::{
-    Resolved, ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task,
+    ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, RunnableCase, Task,
 };
 use super::surface::PreparedSurface;
 use super::told::{PROBLEMS, told};
@@ -186,7 +186,7 @@ impl CaseFile {
     /// All that is wrong with it.
     pub fn prepared_surface(&self) -> Result<PreparedSurface, Vec<Problem>> {
         let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.surface(root);
-        let built = |map: &Chosen<PreparedSurface>| {
+        let built = |map: &ChosenPart<PreparedSurface>| {
             let map = map.build();
             let key = || Key::of(["profile", "surface"]);
             let problem =
@@ -204,11 +204,11 @@ impl CaseFile {
     ///
     /// # Errors
     /// All that is wrong with it, and the warnings besides.
-    pub fn resolve(&self) -> Result<Resolved, Vec<Problem>> {
+    pub fn resolve(&self) -> Result<RunnableCase, Vec<Problem>> {
         self.resolve_contact(self.laid())
     }
 
-    fn resolve_contact(&self, laid: Laid) -> Result<Resolved, Vec<Problem>> {
+    fn resolve_contact(&self, laid: Laid) -> Result<RunnableCase, Vec<Problem>> {
         let implied = laid.implied;
         let read = |reader: &mut Reader<'_>, root: &Section<'_>| {
             let case = check::settle(reader.case(root)?);
@@ -216,7 +216,7 @@ impl CaseFile {
         };
         let ((case, chose), forecast, warnings) =
             self.examine(laid, read, |(case, _)| check::check(case))?;
-        Ok(Resolved { case, chose, forecast, warnings })
+        Ok(RunnableCase { case, chose, forecast, warnings })
     }
 
     /// The tree of the file with the options laid over it.

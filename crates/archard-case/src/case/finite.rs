@@ -1,8 +1,8 @@
 //! The mesh of a body, how it is held, and what it deforms as.
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::definition::{BuildError, FrameCase};
-use archard::body::mesh::{Listed, Meshed, Shape, Supported};
+use archard::body::mesh::{ContactMesh, MeshSurface, Shape, SupportedSurfaces};
 use archard::body::{Elasticity, Finite, Interpolation, Support};
 use archard::parameters::Invalid;
 
@@ -17,7 +17,7 @@ const NO_MATRIX: &str = "is missing: the file of the stiffness or flexibility of
 #[derive(Debug, Clone, PartialEq)]
 pub struct FiniteCase {
     /// The mesh.
-    pub mesh: Chosen<Box<dyn Shape>>,
+    pub mesh: ChosenPart<Box<dyn Shape>>,
     /// What is known on surfaces, by name.
     pub supports: Vec<(String, Support)>,
     /// Whether x = 0 and y = 0 are planes of symmetry.
@@ -40,7 +40,7 @@ impl FiniteCase {
     ///
     /// # Errors
     /// If it cannot be made; that of a checked case can.
-    pub fn meshed(&self) -> Result<Meshed, BuildError> {
+    pub fn meshed(&self) -> Result<ContactMesh, BuildError> {
         if self.elasticity == Elasticity::Image {
             return self.coarse(self.zone().map(|(size, _)| [[0.0; 2], size]));
         }
@@ -51,7 +51,7 @@ impl FiniteCase {
     }
 
     /// The mesh with the tetrahedra inside.
-    fn filled(&self) -> Result<Meshed, BuildError> {
+    fn filled(&self) -> Result<ContactMesh, BuildError> {
         if self.mirrored != [false; 2] {
             let message = "finite elements are those of the whole body: mesh all of it, and leave `symmetry` out";
             return Err(Invalid::new("path", message).into());
@@ -65,7 +65,7 @@ impl FiniteCase {
     }
 
     /// The surfaces that supports hold; none where a half-space stands for the body.
-    pub(super) fn held(&self) -> Supported {
+    pub(super) fn held(&self) -> SupportedSurfaces {
         let bends = self.elasticity != Elasticity::HalfSpace;
         let supports = self.supports.iter().filter(|_| bends);
         supports.map(|(name, support)| (name.clone(), support.holds())).collect()
@@ -87,7 +87,7 @@ impl FiniteCase {
     }
 
     /// A coarse mesh of the whole body for an image field of loads on a rectangle of that centre and size (m) of its face, where it is known.
-    fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<Meshed, BuildError> {
+    fn coarse(&self, rectangle: Option<[[f64; 2]; 2]>) -> Result<ContactMesh, BuildError> {
         if self.mesh.values.get("path").is_some() && self.mirrored != [false; 2] {
             let message = "an image field is that of the whole body: mesh all of it, and leave `symmetry` out";
             return Err(Invalid::new("path", message).into());
@@ -97,9 +97,9 @@ impl FiniteCase {
     }
 
     /// The surfaces of a file, in its own places; `None` of a generated mesh, which has none.
-    pub(super) fn listed(&self) -> Option<Vec<Listed>> {
+    pub(super) fn listed(&self) -> Option<Vec<MeshSurface>> {
         self.mesh.values.get("path")?;
-        let Meshed { mesh, zone, .. } =
+        let ContactMesh { mesh, zone, .. } =
             self.mesh.build().ok()?.mesh(self.mirrored, &self.held()).ok()?;
         Some(mesh.listed(&zone))
     }
@@ -108,7 +108,7 @@ impl FiniteCase {
     ///
     /// # Errors
     /// As [`FiniteCase::meshed`].
-    pub(super) fn slenderness(&self, meshed: &Meshed) -> Result<Option<f64>, BuildError> {
+    pub(super) fn slenderness(&self, meshed: &ContactMesh) -> Result<Option<f64>, BuildError> {
         Ok(self.mesh.build()?.slenderness(meshed, self.mirrored, &self.held()))
     }
 

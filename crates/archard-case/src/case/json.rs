@@ -2,17 +2,17 @@
 
 use serde_json::{Map, Value, json};
 
-use super::accuracy::Refined;
+use super::accuracy::GridRange;
 use super::cam::CamForecast;
-use super::check::{Solves, Yielding};
+use super::check::{Solves, YieldLimit};
 use super::elastic::ElasticForecast;
 use super::file::CaseFile;
 use super::gear::GearForecast;
 use super::problem::{Location, Problem};
-use super::resolved::{Resolved, Task};
+use super::resolved::{RunnableCase, Task};
 use super::wheel_rail::WheelRailForecast;
 use crate::output::{estimate_json, verdict_json};
-use archard::body::mesh::Listed;
+use archard::body::mesh::MeshSurface;
 use archard_gear::Station;
 use archard_rail::search::Onset;
 use archard_rail::setup::Side;
@@ -82,7 +82,7 @@ fn solves_json(solves: Solves) -> Value {
     json!({ "known": known, "count": solves })
 }
 
-fn refined(Refined { begins, elements, solves, memory }: Refined) -> Value {
+fn refined(GridRange { begins, elements, solves, memory }: GridRange) -> Value {
     json!({
         "begins": begins,
         "elements": elements,
@@ -91,13 +91,13 @@ fn refined(Refined { begins, elements, solves, memory }: Refined) -> Value {
     })
 }
 
-fn contact(resolved: &Resolved) -> Value {
+fn contact(resolved: &RunnableCase) -> Value {
     let forecast = &resolved.forecast;
     let unknowns: Map<String, Value> =
         forecast.unknowns.iter().map(|(body, count)| (body.clone(), json!(count))).collect();
     let surfaces: Map<String, Value> =
         forecast.files.iter().map(|(body, list)| (body.clone(), listed(list))).collect();
-    let first_yield = |one: &Yielding| {
+    let first_yield = |one: &YieldLimit| {
         (one.body.clone(), json!({ "peak_pressure_Pa": one.peak_pressure, "depth_m": one.depth }))
     };
     let first_yield: Map<String, Value> = forecast.yieldings.iter().map(first_yield).collect();
@@ -186,8 +186,8 @@ fn wheel_rail(forecast: &WheelRailForecast) -> Value {
 }
 
 /// The surfaces of a mesh, with the boxes around them (m).
-fn listed(surfaces: &[Listed]) -> Value {
-    let one = |one: &Listed| {
+fn listed(surfaces: &[MeshSurface]) -> Value {
+    let one = |one: &MeshSurface| {
         json!({
             "name": one.name,
             "elements": one.elements,

@@ -7,20 +7,20 @@ use archard::friction::Friction;
 use archard::wear::WearLaw;
 use archard_gear::{Laws, Limit, Misfit};
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::print::{print_chosen, quoted, si};
 use super::problem::Problem;
-use super::wheel_rail::Rolled;
+use super::wheel_rail::ProfiledPart;
 use super::wheel_rail::print::print_body;
 
 /// How a body wears.
-type Wear = Option<Chosen<Box<dyn WearLaw>>>;
+type Wear = Option<ChosenPart<Box<dyn WearLaw>>>;
 
 /// How two bodies wear, and their friction.
 pub(super) fn laws(
     bodies: [(&str, &Wear); 2],
-    friction: Option<&Chosen<Box<dyn Friction>>>,
+    friction: Option<&ChosenPart<Box<dyn Friction>>>,
 ) -> Result<Laws, Problem> {
     let law = |(name, wear): (&str, &Wear)| -> Result<Option<Arc<dyn WearLaw>>, Problem> {
         let Some(law) = wear else { return Ok(None) };
@@ -90,9 +90,9 @@ pub(super) fn limits(until: [Option<f64>; 2]) -> Vec<Limit> {
 pub(super) fn print<A, B, M>(
     f: &mut Formatter<'_>,
     title: Option<&str>,
-    (one, two): (&Rolled<A>, &Rolled<B>),
-    friction: Option<&Chosen<Box<dyn Friction>>>,
-    motion: &Chosen<M>,
+    (one, two): (&ProfiledPart<A>, &ProfiledPart<B>),
+    friction: Option<&ChosenPart<Box<dyn Friction>>>,
+    motion: &ChosenPart<M>,
     until: [Option<f64>; 2],
 ) -> fmt::Result {
     if let Some(title) = title {

@@ -3,7 +3,7 @@
 use archard::body::{Body, Layer, Material, Thermal};
 use archard::parameters::{Invalid, Parameter, Quantity, Value, Values};
 
-use super::materials::Named;
+use super::materials::HandbookMaterial;
 
 const NAME: Parameter = Parameter::optional(
     "name",
@@ -85,13 +85,13 @@ impl MaterialCase {
     ///
     /// # Errors
     /// If a value is missing, or both moduli are given.
-    pub(super) fn read(values: &Values, named: Option<&Named>) -> Result<Self, Invalid> {
-        let or = |given: Parameter, known: fn(&Named) -> Option<f64>| {
+    pub(super) fn read(values: &Values, named: Option<&HandbookMaterial>) -> Result<Self, Invalid> {
+        let or = |given: Parameter, known: fn(&HandbookMaterial) -> Option<f64>| {
             values.number(given.name).or_else(|| named.and_then(known))
         };
         let [_, young, shear, poisson, _, _, k, diffusivity] = OWN;
         let mut elastic = values.clone();
-        let mut complete = |given: Parameter, known: fn(&Named) -> f64| {
+        let mut complete = |given: Parameter, known: fn(&HandbookMaterial) -> f64| {
             if let Some(named) = named.filter(|_| values.get(given.name).is_none()) {
                 elastic.insert(given.name, Value::Number(known(named)));
             }

@@ -5,15 +5,15 @@ use std::path::Path;
 
 use toml::de::DeTable;
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::print::print_chosen;
 use super::problem::{Problem, Source};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
-use archard::body::mesh::{MESHES, Meshed, Shape, Supported};
+use archard::body::mesh::{ContactMesh, MESHES, Shape, SupportedSurfaces};
 
-type Mesh = Chosen<Box<dyn Shape>>;
+type Mesh = ChosenPart<Box<dyn Shape>>;
 
 struct Printed<'a>(&'a Mesh);
 
@@ -29,7 +29,7 @@ fn folder() -> std::path::PathBuf {
 
 /// What reading and meshing a text gives, under quarter symmetry, or the problems with the text they
 /// point at.
-fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
+fn read(text: &str) -> Result<(Mesh, ContactMesh), Vec<(Problem, String)>> {
     let parsed = DeTable::parse(text).unwrap();
     let origin = Origin { source: Source::File, start: 0, fixed: None };
     let table = Table::from_toml(parsed.get_ref(), &origin);
@@ -45,7 +45,7 @@ fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
     let root = Section { key: Key::default(), table: &table };
     let read = reader.table(&root, "mesh", "a mesh").and_then(|section| {
         let (chosen, shape) = reader.choice(&section, "mesh", MESHES)?;
-        match shape.mesh([true, true], &Supported::default()) {
+        match shape.mesh([true, true], &SupportedSurfaces::default()) {
             Ok(meshed) => Some((chosen, meshed)),
             Err(error) => {
                 let inside = reader.table(&section, chosen.choice.name, "")?;
@@ -66,7 +66,7 @@ fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
 
 /// Reads what a text prints as once more: the same values, the same mesh.
 #[track_caller]
-fn prints_back(text: &str) -> (Mesh, Meshed) {
+fn prints_back(text: &str) -> (Mesh, ContactMesh) {
     let (chosen, meshed) = read(text).unwrap();
     let printed = Printed(&chosen).to_string();
     let (again, meshed_again) = read(&printed).unwrap();

@@ -57,12 +57,12 @@ mod tree;
 mod unclosed;
 mod wheel_rail;
 
-pub use accuracy::{Chose, Refined};
+pub use accuracy::{Chose, GridRange};
 pub use cam::{CamCase, CamForecast};
 pub use check::{
     BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
 };
-pub use chosen::Chosen;
+pub use chosen::ChosenPart;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, LayerCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};
 pub use file::{CaseFile, Unreadable};
@@ -72,8 +72,12 @@ pub use material::MaterialCase;
 pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
-pub use resolved::{Resolved, ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, Task};
+pub use resolved::{
+    ResolvedCam, ResolvedElastic, ResolvedGear, ResolvedWheelRail, RunnableCase, Task,
+};
 pub use similar::WearByKs;
 pub use surface::{Preparation, PreparedSurface};
 pub use told::told;
-pub use wheel_rail::{Prepared, RailError, Running, State, WheelRailCase, WheelRailForecast};
+pub use wheel_rail::{
+    PreparedContact, RailError, State, WheelRailCase, WheelRailForecast, WheelsetMotion,
+};

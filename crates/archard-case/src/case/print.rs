@@ -5,7 +5,7 @@
 use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::definition::{BodyCase, Case, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::finite::FiniteCase;
@@ -291,7 +291,7 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
 }
 
 /// A choice printed below some key.
-struct Lines<'a, T: 'static>(&'a str, &'a Chosen<T>);
+struct Lines<'a, T: 'static>(&'a str, &'a ChosenPart<T>);
 
 impl<T> Display for Lines<'_, T> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -299,7 +299,11 @@ impl<T> Display for Lines<'_, T> {
     }
 }
 
-pub(super) fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
+pub(super) fn print_chosen<T>(
+    f: &mut Formatter<'_>,
+    key: &str,
+    chosen: &ChosenPart<T>,
+) -> fmt::Result {
     let key = format!("{key}.{}", chosen.choice.name);
     let printed = Printed { values: &chosen.values, files: &chosen.files };
     printed.print(f, &key, chosen.choice.parameters)

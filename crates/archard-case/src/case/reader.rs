@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::left_out;
 use super::nearest::nearest;
@@ -121,7 +121,7 @@ impl Reader<'_> {
         section: &Section<'_>,
         what: &str,
         choices: &'static [Choice<T>],
-    ) -> Option<(Chosen<T>, T)> {
+    ) -> Option<(ChosenPart<T>, T)> {
         let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
         self.unknown(section, what, &names);
         let mut named = section.table.0.iter().filter_map(|entry| {
@@ -151,10 +151,10 @@ impl Reader<'_> {
         &mut self,
         section: &Section<'_>,
         choice: &'static Choice<T>,
-    ) -> Option<Chosen<T>> {
+    ) -> Option<ChosenPart<T>> {
         let before = self.problems.len();
         let (values, files) = self.values(section, choice.parameters);
-        (self.problems.len() == before).then_some(Chosen { choice, values, files })
+        (self.problems.len() == before).then_some(ChosenPart { choice, values, files })
     }
 
     /// The values of a declared list of parameters, and the files they came from.

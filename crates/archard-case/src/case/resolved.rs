@@ -16,7 +16,7 @@ use crate::output::{cam_files, elastic_files, gear_files};
 /// A case that can be run.
 #[non_exhaustive]
 #[derive(Debug, Clone)]
-pub struct Resolved {
+pub struct RunnableCase {
     /// The case in SI.
     pub case: Case,
     /// Whether its frame was chosen.
@@ -79,7 +79,7 @@ pub struct ResolvedCam {
 #[derive(Debug, Clone)]
 pub enum Task {
     /// Two bodies in contact.
-    Contact(Box<Resolved>),
+    Contact(Box<RunnableCase>),
     /// One elastic body by itself.
     Elastic(Box<ResolvedElastic>),
     /// A cam and its follower.
@@ -90,7 +90,7 @@ pub enum Task {
     WheelRail(Box<ResolvedWheelRail>),
 }
 
-impl Resolved {
+impl RunnableCase {
     /// What to expect of the run, and what of its verdict can be foreseen. Bodies with meshes are meshed coarsely for
     /// it, to be compared with half-spaces.
     pub fn expectations(&self) -> String {

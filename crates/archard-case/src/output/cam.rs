@@ -1,7 +1,7 @@
 //! The results of a cam and its follower.
 
 use archard_gear::Limit;
-use archard_gear::cam::{Cam, Station, Worn};
+use archard_gear::cam::{Cam, Station, WornCam};
 use serde_json::{Value, json};
 
 use super::lines::{self, COURSE, Rows, borne};
@@ -25,7 +25,7 @@ pub struct CamResults {
     /// The cam on its follower.
     pub cam: Cam,
     /// How they have worn.
-    pub worn: Worn,
+    pub worn: WornCam,
     /// Turns that were asked for.
     pub wanted: f64,
     /// The depths that end them.

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use archard::estimate::{Course, Estimate, Estimator, Fretting, Rolled, Subject};
+use archard::estimate::{Course, Estimate, Estimator, Fretting, RollingEstimate, Subject};
 use archard::simulation::Report;
 
 /// What closed forms say of a report; null where the curvatures of the bodies are not known.
@@ -79,7 +79,7 @@ fn flash_temperature(estimate: &Estimate) -> Option<Value> {
     }))
 }
 
-fn rolled(rolled: Rolled) -> [(&'static str, Option<Value>); 3] {
+fn rolled(rolled: RollingEstimate) -> [(&'static str, Option<Value>); 3] {
     let stick = rolled.stick_share.zip(rolled.relative_creepage).filter(|_| !rolled.line);
     let strip = stick.map(|(share, creepage)| {
         json!({

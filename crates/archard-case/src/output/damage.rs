@@ -6,7 +6,7 @@ use super::table::{Table, number};
 use super::{Error, Manifest, WantedStresses};
 use crate::verdict::{self, Word};
 use archard::body::Body;
-use archard::elastic::{Cycle, Damage, Endurance, Tiring};
+use archard::elastic::{Cycle, Damage, DamageModel, Endurance};
 
 /// What is wanted of the damage of a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,10 +104,10 @@ impl Tired {
 }
 
 /// What the damage of a body depends on, under the first cycle.
-fn tiring(body: &Body, wanted: &WantedStresses, first: &Cycle) -> Option<Tiring> {
+fn tiring(body: &Body, wanted: &WantedStresses, first: &Cycle) -> Option<DamageModel> {
     let WantedDamage { criterion, endurance } = wanted.damage.as_ref()?;
     let criteria = wanted.criteria(body);
-    Some(Tiring {
+    Some(DamageModel {
         criterion: criteria.into_iter().find(|own| own.name() == criterion)?,
         endurance: *endurance,
         depths: if wanted.depths.is_empty() { first.depths() } else { wanted.depths.clone() },

@@ -12,7 +12,7 @@ use crate::verdict::Verdict;
 
 /// What another run gives of a run.
 #[derive(Debug, Clone, Copy)]
-pub struct Derived<'a> {
+pub struct RowsOfRun<'a> {
     /// The rows of its history.
     pub rows: &'a [Vec<(String, f64)>],
     /// Whether the other run could be believed as far as this one goes, with what the user was warned of here.
@@ -23,7 +23,7 @@ pub struct Derived<'a> {
     pub failure: Option<&'a str>,
 }
 
-impl Derived<'_> {
+impl RowsOfRun<'_> {
     /// Writes `case.toml`, `history.csv` and `summary.json`; what earlier runs wrote into the folder is removed.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use super::table::{Table, number};
 use super::{CASE, Claim, Error, Field, Manifest, SUMMARY, Sheet, Surface, Totals};
 use crate::verdict::{self, Verdict, Warning};
 use archard::compliance::Balance;
-use archard::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section, row};
+use archard::elastic::{DeformedBody, ElasticBody, Point, Response, Section, SectionResponse, row};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` and files in `sections` where points and sections were asked for, and
 /// `summary.json` into a folder; what earlier runs wrote there is removed. Returns what can be believed, warnings included.
@@ -17,7 +17,7 @@ use archard::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section,
 pub fn write_elastic(
     claim: &mut Claim,
     case_toml: &str,
-    (body, deformed): (&ElasticBody, &Deformed),
+    (body, deformed): (&ElasticBody, &DeformedBody),
     totals: &Totals,
 ) -> Result<Verdict, Error> {
     claim.admit()?;
@@ -43,7 +43,11 @@ pub fn write_elastic(
 }
 
 /// What can be believed of a result, with what the user was warned of.
-pub fn elastic_verdict(body: &ElasticBody, deformed: &Deformed, warnings: &[Warning]) -> Verdict {
+pub fn elastic_verdict(
+    body: &ElasticBody,
+    deformed: &DeformedBody,
+    warnings: &[Warning],
+) -> Verdict {
     let Balance { force, moment } = deformed.balance;
     let mut lines = verdict::balance(force, moment).to_vec();
     lines.extend(body.slenderness.map(verdict::slenderness));
@@ -74,7 +78,7 @@ pub(super) fn section_file(prefix: &str, name: &str) -> String {
 pub(super) fn write_sections(
     manifest: &mut Manifest,
     prefix: &str,
-    sections: &[Sampled],
+    sections: &[SectionResponse],
     turned: bool,
 ) -> Result<(), Error> {
     sections.iter().try_for_each(|sampled| {
@@ -85,7 +89,7 @@ pub(super) fn write_sections(
 }
 
 /// How deep (m) a place lies in a body.
-pub(super) fn depth(deformed: &Deformed, place: [f64; 3]) -> Option<f64> {
+pub(super) fn depth(deformed: &DeformedBody, place: [f64; 3]) -> Option<f64> {
     deformed.surface.depth(place.into())
 }
 
@@ -111,7 +115,7 @@ pub(super) fn write_points(
 }
 
 fn summary(
-    (body, deformed): (&ElasticBody, &Deformed),
+    (body, deformed): (&ElasticBody, &DeformedBody),
     verdict: &Verdict,
     totals: &Totals,
 ) -> Value {
@@ -137,7 +141,7 @@ fn summary(
 
 impl Surface {
     /// The surface of an elastic body: displacement, traction and stress at the nodes of every element.
-    pub fn of_elastic(deformed: &Deformed) -> Self {
+    pub fn of_elastic(deformed: &DeformedBody) -> Self {
         let mut surface = Self { mirrored: deformed.surface.mirrored(), ..Self::default() };
         let (mut responses, mut tractions, mut worn) = (vec![], vec![], vec![]);
         let nodes = deformed.surface.traction_nodes();
@@ -167,7 +171,7 @@ impl Surface {
 
 impl Sheet {
     /// A section of a body: displacement and stress at its places.
-    pub fn of_section(sampled: &Sampled) -> Self {
+    pub fn of_section(sampled: &SectionResponse) -> Self {
         let displacements = sampled.responses.iter().map(|response| response.displacement);
         Self {
             points: sampled.places.clone(),

@@ -1,6 +1,6 @@
 //! The results of two gears in mesh.
 
-use archard_gear::{Limit, Mesh, Station, Worn};
+use archard_gear::{Limit, Mesh, Station, WornFlanks};
 use serde_json::{Value, json};
 
 use super::lines::{self, COURSE, Rows, borne};
@@ -21,7 +21,7 @@ pub struct GearResults {
     /// The gears under load.
     pub mesh: Mesh,
     /// Their flanks.
-    pub worn: Worn,
+    pub worn: WornFlanks,
     /// Meshes of a flank of the first gear that were asked for.
     pub wanted: f64,
     /// The depths that end them.

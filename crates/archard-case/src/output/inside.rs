@@ -10,11 +10,11 @@ use super::stress::{self, Passing, Stresses, WantedStresses, prefix};
 use super::table::Table;
 use super::{Error, Manifest, Store, Surface};
 use archard::body::{Body, Finite, Material};
-use archard::compliance::Unsolved;
+use archard::compliance::SolveError;
 use archard::compliance::bem::Boundary;
 use archard::compliance::bem::contact::Job;
 use archard::compliance::half_space::Periodic;
-use archard::elastic::{self, Cycle, Deformed, ElasticError, Point, Pressed, Section};
+use archard::elastic::{self, Cycle, DeformedBody, ElasticError, Point, PressedHalfSpace, Section};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::Shift;
 use archard::numerics::SAME;
@@ -144,7 +144,8 @@ impl Inside {
             let first = [("body", body.clone())];
             let (points, sections) = (&self.points[which][..], &self.sections[which][..]);
             let placed = (which, offsets(&problem.bodies, &problem.motion));
-            let pressed = Pressed::with_ends(bodies, placed, frame, tractions).map_err(failed)?;
+            let pressed =
+                PressedHalfSpace::with_ends(bodies, placed, frame, tractions).map_err(failed)?;
             let place = (which, frame);
             if let Some(pressed) = pressed.map(|pressed| self.repeated(pressed, bodies, place)) {
                 let (points, found) = pressed.both_sides(points).map_err(failed)?;
@@ -190,7 +191,7 @@ impl Inside {
             };
             let acting = (tractions, &worn[which][..]);
             let deformed =
-                Deformed::in_contact_by(bodies, which, acting, (points, sections), &solve)
+                DeformedBody::in_contact_by(bodies, which, acting, (points, sections), &solve)
                     .map_err(failed)?;
             let Some(deformed) = deformed else { continue };
             let placed = bodies[which].finite.as_ref().is_none_or(|finite| finite.meshed.placed);
@@ -214,10 +215,10 @@ impl Inside {
     /// The same where tractions repeat themselves with the frame, if they do.
     fn repeated(
         &self,
-        pressed: Pressed,
+        pressed: PressedHalfSpace,
         bodies: [&Body; 2],
         (which, frame): (usize, &ContactFrame),
-    ) -> Pressed {
+    ) -> PressedHalfSpace {
         let depth = Periodic::depths(bodies, frame)[which];
         if self.repeats { pressed.repeated(depth) } else { pressed }
     }
@@ -238,7 +239,7 @@ impl Inside {
         let whole = self.cycle.len() == shift.places.len() && seen.into_iter().all(same);
         let instants = self.cycle.iter();
         let instants = instants.map(|(_, tractions)| {
-            let pressed = Pressed::in_contact(bodies, which, frame, tractions)?;
+            let pressed = PressedHalfSpace::in_contact(bodies, which, frame, tractions)?;
             Some(self.repeated(pressed, bodies, (which, frame)))
         });
         let cycle = |instants| Cycle::of(instants, axis);
@@ -269,7 +270,7 @@ impl Inside {
         material: &Material,
         job: &Job<'_>,
         acting: &[f64],
-    ) -> Result<Boundary, Unsolved> {
+    ) -> Result<Boundary, SolveError> {
         let Some(store) = &self.store else { return elastic::solve(finite, material, job, acting) };
         let responses = store.respond(finite, material, job)?;
         Ok(responses.boundary((job.surface, job.conditions), material, acting))

@@ -68,7 +68,7 @@ fn written(unit: &'static str) -> &'static str {
 
 /// Where a limit was reached.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Reached {
+pub struct LimitPoint {
     /// The limit.
     pub limit: Limit,
     /// Progress of the motion there (its own unit).
@@ -128,7 +128,7 @@ impl Lives {
 pub struct Life {
     limits: Vec<Limit>,
     before: Option<Before>,
-    reached: Option<Reached>,
+    reached: Option<LimitPoint>,
     #[serde(skip)]
     lives: Option<Lives>,
 }
@@ -147,7 +147,7 @@ impl Life {
     }
 
     /// Where a limit was reached, if one was.
-    pub fn reached(&self) -> Option<&Reached> {
+    pub fn reached(&self) -> Option<&LimitPoint> {
         self.reached.as_ref()
     }
 
@@ -199,7 +199,7 @@ impl Life {
                 Progress::TIME => Some(place),
                 _ => distance.zip(motion.sliding_speed()).map(|(slip, speed)| slip / speed),
             };
-            Reached { limit: limit.clone(), progress: place, error, distance, time }
+            LimitPoint { limit: limit.clone(), progress: place, error, distance, time }
         });
         Ok(())
     }

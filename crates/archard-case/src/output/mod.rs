@@ -80,7 +80,7 @@ mod fixture;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use archard::simulation::NotResumed;
+use archard::simulation::ResumeError;
 
 pub use cam::{CamResults, cam_files, write_cam};
 pub(crate) use closed_forms::blocks as estimate_json;
@@ -88,7 +88,7 @@ pub use contacts::{
     AtPoint, Flank, RailContact, RailHistory, RailResults, contact_row, rail_files, write_rail,
 };
 pub use damage::WantedDamage;
-pub use derived::Derived;
+pub use derived::RowsOfRun;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub(crate) use evidence::Stations;
 pub use fields::{Field, fields};
@@ -96,7 +96,7 @@ pub use folder::{Claim, ResultFolder, RouteKeeper};
 pub use gear::{GearResults, gear_files, write_gear};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
-pub use life::{Life, Limit, Lives, NoColumn, Reached};
+pub use life::{Life, Limit, LimitPoint, Lives, NoColumn};
 pub use lines::Rows;
 pub use manifest::Manifest;
 pub use place::Place;
@@ -183,7 +183,7 @@ pub enum Error {
         /// The folder.
         dir: PathBuf,
         /// Why not.
-        source: NotResumed,
+        source: ResumeError,
     },
     /// A folder without a run to go on with.
     #[error("`{}` holds no run to go on with: {why}", .dir.display())]

@@ -1,7 +1,7 @@
 //! Wheels in service: when they reach limits, and when they are turned.
 
 use archard_rail::setup::Side;
-use archard_rail::wear::{Economy, Limit, Plan, Thicknesses, Travelled, Turning};
+use archard_rail::wear::{Economy, Limit, Plan, Reprofiling, RouteResult, Thicknesses};
 
 /// When a wheel reaches a limit in service.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub struct RailLife {
 
 impl RailLife {
     /// When the wheels of these sides reach limits, the first first.
-    pub fn of(limits: &[Limit], sides: &[Side], travelled: &Travelled) -> Vec<Self> {
+    pub fn of(limits: &[Limit], sides: &[Side], travelled: &RouteResult) -> Vec<Self> {
         let of_side = |&side: &Side| {
             let of = move |&limit: &Limit| Self { limit, side, at: travelled.life(&limit, side) };
             limits.iter().map(of)
@@ -42,10 +42,10 @@ pub struct RailPlan {
 impl RailPlan {
     /// The plans of wheels of these sides: at the first limit, or at the end where none exists, and where a metre costs least.
     pub fn of(
-        turning: &Turning,
+        turning: &Reprofiling,
         limits: &[Limit],
         sides: &[Side],
-        travelled: &Travelled,
+        travelled: &RouteResult,
     ) -> Vec<Self> {
         let of_side = |&side: &Side| {
             let first = first_reached(limits.iter(), travelled, side);
@@ -72,10 +72,10 @@ pub struct RailEconomy {
 impl RailEconomy {
     /// Of wheels of these sides.
     pub fn of(
-        (turning, thicknesses): (&Turning, &Thicknesses),
+        (turning, thicknesses): (&Reprofiling, &Thicknesses),
         limits: &[Limit],
         sides: &[Side],
-        travelled: &Travelled,
+        travelled: &RouteResult,
     ) -> Vec<Self> {
         let of_side = |&side: &Side| {
             // The thickness is one of its own.
@@ -90,7 +90,7 @@ impl RailEconomy {
 /// The share of the distance at which the first of some limits is reached in each of the three runs; without bound where none is.
 fn first_reached<'l>(
     limits: impl Iterator<Item = &'l Limit>,
-    travelled: &Travelled,
+    travelled: &RouteResult,
     side: Side,
 ) -> [f64; 3] {
     let reached = limits.map(|limit| travelled.reached(limit, side));

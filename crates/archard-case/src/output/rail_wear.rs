@@ -3,7 +3,8 @@
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
 use archard_rail::wear::{
-    ASKED, COLUMNS, CONICITY, Economy, Plan, Told, Travelled, Turned, Worn, WornProfile, error_of,
+    ASKED, COLUMNS, CONICITY, Economy, Plan, ReprofilingCut, RouteResult, SideCourse, WornProfile,
+    WornSide, error_of,
 };
 use serde_json::{Value, json};
 
@@ -24,7 +25,7 @@ const BODIES: [&str; 2] = ["wheel", "rail"];
 #[derive(Debug, Clone)]
 pub struct RailWear {
     /// The profiles, and how they became so.
-    pub travelled: Travelled,
+    pub travelled: RouteResult,
     /// Distance (m), and the number of axles.
     pub extent: [f64; 2],
     /// Which of wheel and rail wear.
@@ -75,7 +76,7 @@ impl RailWear {
                 || course.iter().any(|(told, _)| !told.values[at].is_nan())
         };
         let known: Vec<bool> = (0..COLUMNS.len()).map(known).collect();
-        let row = |(told, errors): (Told, Vec<f64>)| {
+        let row = |(told, errors): (SideCourse, Vec<f64>)| {
             let [distance, axles] = self.extent.map(|all| all * told.progress);
             let mut row = vec![("distance_m".to_owned(), distance), ("axles".to_owned(), axles)];
             let all = COLUMNS.iter().zip(&told.values).zip(&errors).zip(&known);
@@ -91,7 +92,7 @@ impl RailWear {
     /// The largest error of a worn area, relative to it.
     pub fn relative_error(&self) -> f64 {
         let relative = |(body, side, _): (usize, usize, String)| {
-            let area = |worn: &[Worn]| profile(&worn[side], body).area();
+            let area = |worn: &[WornSide]| profile(&worn[side], body).area();
             self.travelled.error(area) / area(&self.travelled.worn)
         };
         self.profiles().into_iter().map(relative).fold(0.0, f64::max)
@@ -124,7 +125,7 @@ impl RailWear {
 }
 
 /// The wheel, or the rail.
-fn profile(worn: &Worn, body: usize) -> &WornProfile {
+fn profile(worn: &WornSide, body: usize) -> &WornProfile {
     [&worn.wheel, &worn.rail][body]
 }
 
@@ -174,7 +175,7 @@ impl RailWear {
             let errors = (0..fine.len()).map(error).collect();
             let one = profile(&travelled.worn[side], body);
             let damage = || {
-                let of = |worn: &[Worn]| profile(&worn[side], body).damage().to_vec();
+                let of = |worn: &[WornSide]| profile(&worn[side], body).damage().to_vec();
                 let [fine, coarse, hasty] =
                     [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| of(worn));
                 let error = |at: usize| error_of([fine[at], coarse[at], hasty[at]]);
@@ -292,7 +293,7 @@ pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
     let economy = |RailEconomy { side, economy }: &RailEconomy| {
         let distance = |share: f64| share * wear.extent[0];
         let of = |economy: &Economy| {
-            let turned = |own: &Turned| {
+            let turned = |own: &ReprofilingCut| {
                 json!({
                     "interval_m": distance(own.interval),
                     "depth_m": own.depth,

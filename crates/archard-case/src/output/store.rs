@@ -20,8 +20,8 @@ use super::{Error, Place, file};
 use crate::files::{self, Contents};
 use archard::body::{Finite, Material};
 use archard::compliance::bem::contact::{Job, condense};
-use archard::compliance::bem::{Balance, Condensed, Responses, Solid};
-use archard::numerics::dense::Unsolved;
+use archard::compliance::bem::{Balance, CondensedBody, Responses, Solid};
+use archard::numerics::dense::SolveError;
 
 /// What a file begins with; the version changes with the format and with the equations.
 const FORMAT: &[u8] = b"archard compliance 5\n";
@@ -68,7 +68,7 @@ impl Store {
         finite: &Finite,
         material: &Material,
         job: &Job<'_>,
-    ) -> Result<Condensed, Unsolved> {
+    ) -> Result<CondensedBody, SolveError> {
         let envelope = envelope(key(FORMAT, finite, material, job), job.size());
         let found = self.find(&envelope, "compliance", |numbers| condensed(numbers, job.size()));
         if let Some(known) = found {
@@ -89,7 +89,7 @@ impl Store {
         finite: &Finite,
         material: &Material,
         job: &Job<'_>,
-    ) -> Result<Responses, Unsolved> {
+    ) -> Result<Responses, SolveError> {
         let [rows, columns] = Responses::size(job.surface, job.conditions);
         let key = key(RESPONSES, finite, material, job);
         let envelope = Envelope { format: RESPONSES, key, count: rows * columns };
@@ -199,7 +199,7 @@ fn envelope(key: [u8; OUT_LEN], size: usize) -> Envelope {
 }
 
 /// All numbers of a compliance, in the order of the file.
-fn numbers(condensed: &Condensed) -> impl Iterator<Item = f64> {
+fn numbers(condensed: &CondensedBody) -> impl Iterator<Item = f64> {
     let size = condensed.free.len();
     let matrix = (0..size * size).map(move |at| condensed.compliance[(at % size, at / size)]);
     let Balance { force, moment } = condensed.balance;
@@ -207,12 +207,12 @@ fn numbers(condensed: &Condensed) -> impl Iterator<Item = f64> {
 }
 
 /// The compliance of that size with these numbers.
-fn condensed(numbers: &[[u8; 8]], size: usize) -> Condensed {
+fn condensed(numbers: &[[u8; 8]], size: usize) -> CondensedBody {
     let number = |index: usize| f64::from_le_bytes(numbers[index]);
     let balance = Balance { force: number(0), moment: number(1) };
     let free = (2..2 + size).map(number).collect();
     let compliance = Mat::from_fn(size, size, |row, column| number(2 + size * (1 + column) + row));
-    Condensed { compliance, free, balance }
+    CondensedBody { compliance, free, balance }
 }
 
 #[cfg(test)]
@@ -222,7 +222,7 @@ mod tests {
     use faer::Mat;
 
     use super::{Envelope, OUT_LEN, Store, condensed as condensed_of, envelope, numbers};
-    use archard::compliance::bem::{Balance, Condensed};
+    use archard::compliance::bem::{Balance, CondensedBody};
 
     #[test]
     fn what_is_kept_is_read_and_nothing_of_another_size() {
@@ -233,7 +233,8 @@ mod tests {
         let compliance =
             Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + 10.0 * column as f64));
         let balance = Balance { force: 0.01, moment: 0.02 };
-        let condensed = Condensed { compliance: compliance.clone(), free: free.clone(), balance };
+        let condensed =
+            CondensedBody { compliance: compliance.clone(), free: free.clone(), balance };
         let known = envelope([7; OUT_LEN], 3);
         crate::output::file::write_private(&path, &known.seal(numbers(&condensed))).unwrap();
         let read = |path: &Path, known: &Envelope, size: usize| {

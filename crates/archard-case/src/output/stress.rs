@@ -11,7 +11,9 @@ use super::table::{Table, number};
 use super::{Error, Manifest, Planes};
 use crate::verdict::{self, Word};
 use archard::body::{Body, Material};
-use archard::elastic::{Criterion, Cycle, Interface, Maxima, Maximum, Piece, Pressed, Side};
+use archard::elastic::{
+    Criterion, Cycle, Interface, Maxima, Maximum, Piece, PressedHalfSpace, Side,
+};
 use archard::stress::criteria::Elastic;
 use archard::stress::{Components, MEASURES, TABOR};
 
@@ -180,7 +182,7 @@ pub(super) fn write(
     (manifest, which): (&mut Manifest, usize),
     (axis, passing): (usize, &Passing),
     body: &Body,
-    (wanted, pressed): (&WantedStresses, &Pressed),
+    (wanted, pressed): (&WantedStresses, &PressedHalfSpace),
 ) -> Result<(Value, Vec<verdict::Line>), Error> {
     let depths = if wanted.depths.is_empty() { pressed.depths() } else { wanted.depths.clone() };
     let strengths = wanted.strengths(body);
@@ -311,7 +313,7 @@ fn one(own: &Maximum, peak: f64) -> Value {
 }
 
 fn block(
-    pressed: &Pressed,
+    pressed: &PressedHalfSpace,
     maxima: &Maxima,
     (wanted, strengths): (&WantedStresses, &[Option<(f64, &'static str)>]),
 ) -> Value {

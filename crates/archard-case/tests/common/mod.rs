@@ -16,7 +16,7 @@ use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
 use archard::wear::Archard;
-use archard_case::{CaseFile, Resolved};
+use archard_case::{CaseFile, RunnableCase};
 
 /// The steel of the reference problems.
 pub const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
@@ -109,7 +109,7 @@ pub fn case(text: &str, options: &[&str]) -> Simulation {
 }
 
 /// The same, checked.
-pub fn resolved(text: &str, options: &[&str]) -> Resolved {
+pub fn resolved(text: &str, options: &[&str]) -> RunnableCase {
     let file = CaseFile::from_text("case", text, ".");
     let file = options.iter().fold(file, |file, option| file.set(*option));
     file.resolve().unwrap_or_else(|problems| {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use archard::body::mesh::{
-    Corners, MESHES, Mesh, MeshError, MeshProblem, Meshed, Shape, Supported,
+    ContactMesh, Corners, MESHES, Mesh, MeshError, MeshProblem, Shape, SupportedSurfaces,
 };
 use archard::parameters::{Value, Values};
 
@@ -124,11 +124,11 @@ fn build(example: &Example, growth: f64, divisions: f64) -> Box<dyn Shape> {
 }
 
 /// Every example under every symmetry its elements allow.
-fn all(growth: f64, test: impl Fn(&Example, [bool; 2], &Meshed)) {
+fn all(growth: f64, test: impl Fn(&Example, [bool; 2], &ContactMesh)) {
     for example in examples() {
         let shape = build(&example, growth, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            match shape.mesh(mirrored, &Supported::default()) {
+            match shape.mesh(mirrored, &SupportedSurfaces::default()) {
                 Ok(meshed) => test(&example, mirrored, &meshed),
                 Err(MeshError::OddElements { axis, count }) => {
                     let axis = usize::from(axis == 'y');
@@ -157,9 +157,9 @@ fn elements_are_bounded_before_they_are_made() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            let Ok(meshed) = shape.mesh(mirrored, &Supported::default()) else { continue };
+            let Ok(meshed) = shape.mesh(mirrored, &SupportedSurfaces::default()) else { continue };
             let (least, faces) =
-                (shape.at_least(mirrored, &Supported::default()), meshed.mesh.faces.len());
+                (shape.at_least(mirrored, &SupportedSurfaces::default()), meshed.mesh.faces.len());
             let exact = example.name == "box";
             assert!(
                 if exact { least == faces } else { (1..=faces).contains(&least) },
@@ -300,9 +300,11 @@ fn elements_grow_within_the_ratio_away_from_the_zone() {
 fn halves_are_halves_of_the_whole() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
-        let whole = shape.mesh([false, false], &Supported::default()).unwrap().mesh;
+        let whole = shape.mesh([false, false], &SupportedSurfaces::default()).unwrap().mesh;
         for mirrored in [[true, false], [false, true], [true, true]] {
-            let Ok(Meshed { mesh: part, .. }) = shape.mesh(mirrored, &Supported::default()) else {
+            let Ok(ContactMesh { mesh: part, .. }) =
+                shape.mesh(mirrored, &SupportedSurfaces::default())
+            else {
                 continue;
             };
             let parts = 1 << mirrored.iter().filter(|&&mirrored| mirrored).count();
@@ -351,7 +353,10 @@ fn vertices_around_a_zone_lie_on_the_curved_surfaces() {
 fn even_elements_enclose_the_volume() {
     for example in examples().iter().filter(|example| example.zone.is_none() && !example.plane) {
         let meshes = [8.0, 16.0, 32.0].map(|divisions| {
-            build(example, 2.0, divisions).mesh([true, true], &Supported::default()).unwrap().mesh
+            build(example, 2.0, divisions)
+                .mesh([true, true], &SupportedSurfaces::default())
+                .unwrap()
+                .mesh
         });
         for mesh in &meshes {
             assert_relative_eq!(mesh.volume([true, true]), example.volume, max_relative = 1e-12);
@@ -366,15 +371,17 @@ fn even_elements_enclose_the_volume() {
 /// top and the bottom, four rows of 15 on either side.
 #[test]
 fn far_sides_are_coarse() {
-    let cube = build(&examples()[0], 2.0, EVEN).mesh([true, true], &Supported::default()).unwrap();
+    let cube =
+        build(&examples()[0], 2.0, EVEN).mesh([true, true], &SupportedSurfaces::default()).unwrap();
     assert_eq!(cube.mesh.faces.len(), 2 * 15 * 15 + 2 * 4 * 15);
 }
 
 #[test]
 fn odd_numbers_are_refused_under_symmetry() {
     let box_of_flat = &examples()[1];
-    let error =
-        build(box_of_flat, 2.0, EVEN).mesh([true, false], &Supported::default()).unwrap_err();
+    let error = build(box_of_flat, 2.0, EVEN)
+        .mesh([true, false], &SupportedSurfaces::default())
+        .unwrap_err();
     assert_eq!(error, MeshError::OddElements { axis: 'x', count: 7 });
     assert_eq!(error.parameter(), "contact.elements");
     let divided = |size: [f64; 3], divisions: Value| {
@@ -382,7 +389,7 @@ fn odd_numbers_are_refused_under_symmetry() {
         values.insert("size", Value::Triple(size));
         values.insert("divisions", divisions);
         let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
-        (choice.build)(&values).unwrap().mesh([false, true], &Supported::default())
+        (choice.build)(&values).unwrap().mesh([false, true], &SupportedSurfaces::default())
     };
     let odd = Err(MeshError::OddDivisions { axis: 'y', count: 5 });
     assert_eq!(divided([1.0; 3], Value::Number(5.0)), odd);
@@ -399,7 +406,8 @@ fn divided(size: [f64; 3], divisions: Option<f64>, sides: &[&str]) -> ([usize; 3
     if let Some(divisions) = divisions {
         values.insert("divisions", Value::Number(divisions));
     }
-    let held: Supported = sides.iter().map(|side| ((*side).to_owned(), [true; 3])).collect();
+    let held: SupportedSurfaces =
+        sides.iter().map(|side| ((*side).to_owned(), [true; 3])).collect();
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
     let shape = (choice.build)(&values).unwrap();
     let mesh = shape.mesh([false; 2], &held).unwrap().mesh;
@@ -442,7 +450,7 @@ fn elements_of_slender_bodies_do_not_outgrow_the_thickness() {
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
     let shape = (choice.build)(&values).unwrap();
     let longest = |side: &str| {
-        let held: Supported = [(side.to_owned(), [true; 3])].into_iter().collect();
+        let held: SupportedSurfaces = [(side.to_owned(), [true; 3])].into_iter().collect();
         let meshed = shape.mesh([false; 2], &held).unwrap();
         let mut places: Vec<f64> = meshed.mesh.vertices.iter().map(|vertex| vertex[0]).collect();
         places.sort_by(f64::total_cmp);

@@ -1,7 +1,7 @@
 //! A cylinder has its curvature whether it is a profile or a mesh, in all that asks for it.
 
 use approx::assert_relative_eq;
-use archard_case::Resolved;
+use archard_case::RunnableCase;
 use archard_case::output::{ResultFolder, Totals};
 use serde_json::Value;
 
@@ -33,7 +33,7 @@ const DISC: &str = r#"
 mesh.cylinder = { radius = "20 mm", length = "4 mm", contact = { face = "side", size = ["1 mm", "4 mm"], elements = [16, 3] } }
 elasticity = "half_space""#;
 
-fn rolling(meshed: bool, options: &[&str]) -> Resolved {
+fn rolling(meshed: bool, options: &[&str]) -> RunnableCase {
     let frame = "[frame]\nsize = [\"1 mm\", \"4 mm\"]\nelements = [32, 6]\n[friction.";
     let text = if meshed {
         ROLLING.replace("RAIL", RAIL).replace("DISC", DISC)
@@ -45,7 +45,7 @@ fn rolling(meshed: bool, options: &[&str]) -> Resolved {
 }
 
 /// What `summary.json` says in closed form, and the rows of the run.
-pub fn run(resolved: &Resolved) -> (Value, Rows) {
+pub fn run(resolved: &RunnableCase) -> (Value, Rows) {
     let folder = tempfile::tempdir().unwrap();
     let mut results = ResultFolder::create(folder.path(), &resolved.case.to_string()).unwrap();
     let mut rows = Rows::default();

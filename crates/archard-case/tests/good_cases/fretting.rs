@@ -1,7 +1,7 @@
 //! What to expect of fretting and of pressing with friction.
 
 use approx::assert_relative_eq;
-use archard_case::{Resolved, Solves};
+use archard_case::{RunnableCase, Solves};
 
 use crate::{file, reads_back, resolve};
 
@@ -25,7 +25,7 @@ amplitude = ["1.023 um", "0 um"]
 "#;
 
 /// The fretting ball with these options: no warnings.
-pub fn fretting(options: &[&str]) -> Resolved {
+pub fn fretting(options: &[&str]) -> RunnableCase {
     let resolved = resolve(&options.iter().fold(file(FRETTING), |file, option| file.set(*option)));
     assert!(resolved.warnings.is_empty(), "{options:?}: {:?}", resolved.warnings);
     resolved

@@ -1,12 +1,12 @@
 //! Materials by their names, and what follows from them.
 
-use super::super::{CaseFile, Resolved, file, reads_back, resolve, with};
+use super::super::{CaseFile, RunnableCase, file, reads_back, resolve, with};
 use super::rolling::TWIN_DISCS;
 use approx::assert_relative_eq;
-use archard_case::materials::{MATERIALS, Named};
+use archard_case::materials::{HandbookMaterial, MATERIALS};
 
 /// The twin discs with these options.
-fn discs(options: &[&str]) -> Resolved {
+fn discs(options: &[&str]) -> RunnableCase {
     resolve(&options.iter().fold(file(TWIN_DISCS), |file, option| file.set(*option)))
 }
 
@@ -26,7 +26,7 @@ fn every_material_makes_a_case_that_reads_back() {
 /// The density of the material weighs what is worn off, unless the case has one; its hardness is the body's.
 #[test]
 fn a_body_has_what_its_material_has_where_the_case_gives_nothing() {
-    let named = Named::find("7075").unwrap();
+    let named = HandbookMaterial::find("7075").unwrap();
     let [own, given] = [&[][..], &["body.pin.density=2.9 g/cm^3"]].map(|more: &[&str]| {
         let options = [&["body.pin.material=Al 7075-T6"], more].concat();
         with(&options).build().unwrap().problem.bodies[0].clone()
@@ -41,7 +41,7 @@ fn values_beside_a_name_replace_its_own() {
     let options = ["body.pin.material={name=C45, shear=80 GPa, conductivity=40 W/(m K)}"];
     let case = with(&options);
     let (material, known) =
-        (case.bodies[0].material.as_ref().unwrap(), Named::find("C45").unwrap());
+        (case.bodies[0].material.as_ref().unwrap(), HandbookMaterial::find("C45").unwrap());
     assert_relative_eq!(material.elastic.young, 2.0 * 1.29 * 80e9, max_relative = 1e-14);
     let expected = 40.0 / (known.density * known.heat.unwrap());
     assert_relative_eq!(material.diffusivity.unwrap(), expected, max_relative = 1e-14);
@@ -93,7 +93,7 @@ fn a_name_may_be_a_number() {
 fn layers_are_named_too() {
     let layer = "body.disc.layers=[{thickness=\"3 um\", name=\"DLC\"}]";
     let case = with(&["body.disc.material=C45", layer, "motion.sliding.load=1 N"]);
-    let (known, one) = (Named::find("DLC").unwrap(), &case.bodies[1].layers[0]);
+    let (known, one) = (HandbookMaterial::find("DLC").unwrap(), &case.bodies[1].layers[0]);
     assert_eq!((one.layer.material.young, one.hardness), (known.young, known.hardness));
     let body = case.build().unwrap().problem.bodies[1].clone();
     assert_eq!((body.indentation_hardness, body.density), (known.hardness, None));

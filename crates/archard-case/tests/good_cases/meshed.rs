@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use archard::body::{Elasticity, Interpolation, Support};
-use archard_case::{Finiteness, Resolved};
+use archard_case::{Finiteness, RunnableCase};
 
 use crate::common::Rows;
 use crate::{file, reads_back, resolve};
@@ -23,7 +23,7 @@ contact = { size = ["0.2 m", "0.2 m"], elements = [8, 8] }
 approach = "0.07 mm"
 "#;
 
-fn punch(options: &[&str]) -> Resolved {
+fn punch(options: &[&str]) -> RunnableCase {
     resolve(&options.iter().fold(file(PUNCH), |file, option| file.set(*option)))
 }
 

@@ -1,7 +1,7 @@
 //! What to expect of rolling.
 
 use approx::assert_relative_eq;
-use archard_case::{Resolved, Solves};
+use archard_case::{RunnableCase, Solves};
 
 use crate::{file, resolve};
 
@@ -28,7 +28,7 @@ step = 100
 "#;
 
 /// The twin discs with these options: no warnings.
-fn twin_discs(options: &[&str]) -> Resolved {
+fn twin_discs(options: &[&str]) -> RunnableCase {
     let resolved =
         resolve(&options.iter().fold(file(TWIN_DISCS), |file, option| file.set(*option)));
     assert!(resolved.warnings.is_empty(), "{options:?}: {:?}", resolved.warnings);

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use archard::problem::ContactState;
-use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
+use archard::simulation::{Observer, Report, ResumeError, Run, Simulation, row};
 use archard_case::CaseFile;
 
 /// Cases with settings, one of each way through the engine.
@@ -191,27 +191,27 @@ fn other_cases_do_not_go_on() {
     ] {
         let settings = [settings, &[other]].concat();
         let refused = Run::resume(build((case, &settings)), &kept).err();
-        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+        assert_eq!(refused, Some(ResumeError::OtherCase), "{other}");
     }
     let swings = CASES[13];
     let kept = Run::begin(build(swings)).unwrap().checkpoint();
     for other in ["body.flat.depth=7 mm", "motion.fretting.amplitude=[\"24 um\", \"0 um\"]"] {
         let settings = [swings.1, &[other]].concat();
         let refused = Run::resume(build((swings.0, &settings)), &kept).err();
-        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+        assert_eq!(refused, Some(ResumeError::OtherCase), "{other}");
     }
     let wider = CASES[15];
     let kept = Run::begin(build(wider)).unwrap().checkpoint();
     for other in ["frame.doubles=[\"20 mm\", \"210 mm\"]", "frame.doubles=[\"20 mm\"]"] {
         let settings = [wider.1, &[other]].concat();
         let refused = Run::resume(build((wider.0, &settings)), &kept).err();
-        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+        assert_eq!(refused, Some(ResumeError::OtherCase), "{other}");
     }
     let meshed = CASES[11];
     let kept = Run::begin(build(meshed)).unwrap().checkpoint();
     let stiffer = [meshed.1, &["body.block.material.young=211 GPa"]].concat();
     let refused = Run::resume(build((meshed.0, &stiffer)), &kept).err();
-    assert_eq!(refused, Some(NotResumed::OtherCase));
+    assert_eq!(refused, Some(ResumeError::OtherCase));
 }
 
 /// Cut off anywhere or changed anywhere, what was kept is refused.
@@ -222,9 +222,9 @@ fn damaged_runs_do_not_go_on() {
     let refused = |bytes: &[u8]| Run::resume(build(case), bytes).err();
     assert_eq!(refused(&kept), None);
     for at in (0..kept.len()).step_by(kept.len() / 40) {
-        assert_eq!(refused(&kept[..at]), Some(NotResumed::Unreadable), "cut at {at}");
+        assert_eq!(refused(&kept[..at]), Some(ResumeError::Unreadable), "cut at {at}");
         let mut changed = kept.clone();
         changed[at] ^= 4;
-        assert_eq!(refused(&changed), Some(NotResumed::Unreadable), "changed at {at}");
+        assert_eq!(refused(&changed), Some(ResumeError::Unreadable), "changed at {at}");
     }
 }

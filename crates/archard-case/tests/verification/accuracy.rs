@@ -3,15 +3,15 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use archard::accuracy::Unsettled;
+use archard::accuracy::AccuracyFailure;
 use archard::closed_form::Hertz;
 use archard::simulation::history::{ERROR, Row, number, stated};
 use archard::simulation::{Run, Simulation};
-use archard_case::{CaseFile, Resolved};
+use archard_case::{CaseFile, RunnableCase};
 
 use crate::common::Rows;
 
-pub(super) fn resolved(text: &str, options: &[&str]) -> Result<Resolved, String> {
+pub(super) fn resolved(text: &str, options: &[&str]) -> Result<RunnableCase, String> {
     let file = CaseFile::from_text("case.toml", text, "");
     let file = options.iter().fold(file, |file, option| file.set(*option));
     let described = |problem: &archard_case::Problem| file.describe(problem);
@@ -29,12 +29,12 @@ pub(super) fn answer(text: &str, options: &[&str]) -> Row {
 }
 
 /// The last row of a case.
-pub(super) fn run(resolved: Resolved) -> Row {
+pub(super) fn run(resolved: RunnableCase) -> Row {
     run_through(resolved).pop().expect("a row")
 }
 
 /// The rows of a case.
-fn run_through(resolved: Resolved) -> Vec<Row> {
+fn run_through(resolved: RunnableCase) -> Vec<Row> {
     let (_, simulation) = settled(resolved).expect("a grid");
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).expect("a run");
@@ -42,7 +42,9 @@ fn run_through(resolved: Resolved) -> Vec<Row> {
 }
 
 /// A case on the grid that its accuracy takes.
-pub(super) fn settled(resolved: Resolved) -> Result<(Resolved, Simulation), Unsettled> {
+pub(super) fn settled(
+    resolved: RunnableCase,
+) -> Result<(RunnableCase, Simulation), AccuracyFailure> {
     resolved.settle(&mut |case| Ok(case.build()?), &mut |_| Ok(()))
 }
 

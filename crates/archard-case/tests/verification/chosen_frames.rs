@@ -5,7 +5,7 @@ use archard::closed_form::Hertz;
 use archard::simulation::history::{Row, number};
 use archard::simulation::{Report, Run};
 use archard_case::output::Image;
-use archard_case::{CaseFile, Resolved};
+use archard_case::{CaseFile, RunnableCase};
 
 use super::accuracy::{
     DISCS, PIN, TRACK, answer, assert_within, resolved, run, settled, with_error,
@@ -41,7 +41,7 @@ fn tabulated(
     dir
 }
 
-fn read(dir: &tempfile::TempDir, options: &[&str]) -> Result<Resolved, String> {
+fn read(dir: &tempfile::TempDir, options: &[&str]) -> Result<RunnableCase, String> {
     let file = CaseFile::read(dir.path()).unwrap();
     let file = options.iter().fold(file, |file, option| file.set(*option));
     let described = |problem: &archard_case::Problem| file.describe(problem);
@@ -141,7 +141,7 @@ fn frames_grow_to_what_touches_beyond() {
         let table = move |x, y| 1e3 * height * spike(x, y) + ball(x, y);
         (tabulated(301, 4.5, table, pressed), 1e-3 * away)
     };
-    let touches = |resolved: Resolved, place: f64| {
+    let touches = |resolved: RunnableCase, place: f64| {
         let mut run = Run::begin(resolved.case.build().unwrap()).unwrap();
         while run.step().unwrap() {}
         let Report { problem, state, .. } = run.report();

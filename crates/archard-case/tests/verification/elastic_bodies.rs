@@ -8,7 +8,7 @@ mod meshes;
 use archard::body::mesh::Mesh;
 use archard::body::{Interpolation, Material};
 use archard::compliance::bem::{
-    Boundary, Condition, Conditions, Given, Interior, Solid, Surface, TractionNode,
+    AxisCondition, Boundary, Condition, Conditions, Interior, Solid, Surface, TractionNode,
 };
 use glam::{DMat3, DVec3};
 
@@ -145,7 +145,7 @@ fn elastic_cavity_under_remote_tension() {
         let surface = Surface::new(&mesh, Discontinuous, QUARTER);
         let boundary = solved(&surface, |node| match node.surface {
             0 => Condition::free(),
-            1 => Condition::along_axes([0.0, 0.0, node.normal.z].map(Given::Traction)),
+            1 => Condition::along_axes([0.0, 0.0, node.normal.z].map(AxisCondition::Traction)),
             _ => Condition::roller(node.normal),
         });
         let expected = |node: &TractionNode| {
@@ -210,8 +210,8 @@ fn bent(place: DVec3) -> DVec3 {
 /// unit of length.
 fn errors_of_bending(interpolation: Interpolation, divisions: &[f64]) -> Vec<f64> {
     let of = |node: &TractionNode| match node.surface {
-        4 => Condition::along_axes(bent(node.place).to_array().map(Given::Displacement)),
-        5 => Condition::along_axes([0.0, 0.0, node.place.x - 0.5].map(Given::Traction)),
+        4 => Condition::along_axes(bent(node.place).to_array().map(AxisCondition::Displacement)),
+        5 => Condition::along_axes([0.0, 0.0, node.place.x - 0.5].map(AxisCondition::Traction)),
         _ => Condition::free(),
     };
     let error_of = |n: &f64| {
@@ -261,8 +261,8 @@ fn elastic_cube_follows_a_cubic_field_at_third_order() {
         let (displacement, gradient) = cubic(node.place);
         let traction = 2.0 * MATERIAL.shear_modulus() * gradient * node.normal;
         Condition::along_axes(match node.surface {
-            4 => displacement.to_array().map(Given::Displacement),
-            _ => traction.to_array().map(Given::Traction),
+            4 => displacement.to_array().map(AxisCondition::Displacement),
+            _ => traction.to_array().map(AxisCondition::Traction),
         })
     };
     let error_of = |n: &f64| {

@@ -10,7 +10,7 @@ use archard::frame::Direction;
 use archard::friction::Coulomb;
 use archard::motion::{Control, Drive, Rolling, Sliding, Stepping, Track};
 use archard::simulation::refusal::Part;
-use archard::simulation::{Error, Refused, Simulation};
+use archard::simulation::{Error, Refusals, Simulation};
 use archard::wear::{Archard, Expression, Over, Per, Table, WearLaw};
 
 use crate::common::{Rows, case, peak, states};
@@ -299,7 +299,7 @@ fn laws_stop_where_the_temperature_is_not_known() {
         builder.build()
     };
     let refused = |thermal, friction| {
-        let Refused(all) = built(thermal, 5.0, friction).unwrap_err();
+        let Refusals(all) = built(thermal, 5.0, friction).unwrap_err();
         all.into_iter().map(|one| one.part).collect::<Vec<_>>()
     };
     let warm = Some(steel().with_share(0.7).unwrap());

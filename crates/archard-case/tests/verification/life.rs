@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard::simulation::Observer;
 use archard_case::CaseFile;
-use archard_case::output::{Life, Limit, Reached};
+use archard_case::output::{Life, Limit, LimitPoint};
 
 use crate::common::{Rows, case};
 
@@ -12,7 +12,7 @@ const CASE: &str = include_str!("../framed/pin_on_disc/case.toml");
 const WEARS: f64 = 1.33e-13 * 10.2;
 
 /// Where a limit is reached, and the rows until there.
-fn lives(limits: &[(&str, f64)], options: &[&str]) -> (Option<Reached>, Rows) {
+fn lives(limits: &[(&str, f64)], options: &[&str]) -> (Option<LimitPoint>, Rows) {
     let limit =
         |(column, value): &(&str, f64)| Limit { column: (*column).to_owned(), value: *value };
     let (mut rows, mut life) = (Rows::default(), Life::until(limits.iter().map(limit).collect()));

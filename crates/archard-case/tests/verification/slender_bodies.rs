@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use archard::elastic::{Deformed, ElasticBody};
+use archard::elastic::{DeformedBody, ElasticBody};
 use archard_case::output::elastic_verdict;
 use archard_case::verdict::Word;
 use archard_case::{CaseFile, Task};
@@ -16,7 +16,7 @@ const BARS: [(f64, f64); 3] = [(10.0, 4.003), (5.0, 0.5085), (3.0, 0.1147)];
 /// The same of tubes of 1 m outside, by their length and the radius of their bore (m).
 const TUBES: [(f64, f64, f64); 3] = [(5.0, 0.25, 0.5481), (3.0, 0.25, 0.1255), (3.0, 0.4, 0.1013)];
 
-fn solved(text: &str) -> (ElasticBody, Deformed) {
+fn solved(text: &str) -> (ElasticBody, DeformedBody) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/slender");
     let Ok(Task::Elastic(resolved)) = CaseFile::from_text("case", text, folder).task() else {
         panic!("a case of one body: {text}")
@@ -27,7 +27,7 @@ fn solved(text: &str) -> (ElasticBody, Deformed) {
 }
 
 /// A bar, a half of it, clamped at its left end under a shear of 1 kPa at its right.
-fn bar(length: f64, divisions: &str) -> (ElasticBody, Deformed) {
+fn bar(length: f64, divisions: &str) -> (ElasticBody, DeformedBody) {
     solved(&format!(
         r#"
         [body.bar]
@@ -43,12 +43,12 @@ fn bar(length: f64, divisions: &str) -> (ElasticBody, Deformed) {
 }
 
 /// The displacement of the first point along z (mm).
-fn tip(deformed: &Deformed) -> f64 {
+fn tip(deformed: &DeformedBody) -> f64 {
     1e3 * deformed.points[0].displacement[2]
 }
 
 /// The force on a surface along z (N).
-fn force((body, deformed): &(ElasticBody, Deformed), surface: &str) -> f64 {
+fn force((body, deformed): &(ElasticBody, DeformedBody), surface: &str) -> f64 {
     let names = &body.finite.meshed.mesh.surfaces;
     deformed.forces()[names.iter().position(|name| name == surface).unwrap()][2]
 }

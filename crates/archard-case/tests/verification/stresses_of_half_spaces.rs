@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use archard::elastic::{Deformed, Point, Pressed, Response};
+use archard::elastic::{DeformedBody, Point, PressedHalfSpace, Response};
 use archard::simulation::Simulation;
 use archard_case::output::{Inside, Sheet};
 
@@ -56,12 +56,13 @@ fn half_spaces_have_the_stresses_and_displacements_of_large_blocks() {
     let tractions = meshed.problem.tractions(&state);
     assert!(tractions.t1.iter().any(|t| *t > 0.0), "friction on body 1 follows body 2");
     let bodies = meshed.problem.bodies.each_ref();
-    let known = Deformed::in_contact(bodies, 1, &tractions, &points).unwrap().unwrap().points;
+    let known = DeformedBody::in_contact(bodies, 1, &tractions, &points).unwrap().unwrap().points;
     let simple = case(BALL_ON_BLOCK, &framed);
     let state = last(&simple);
     let tractions = simple.problem.tractions(&state);
     let bodies = simple.problem.bodies.each_ref();
-    let pressed = Pressed::in_contact(bodies, 1, &simple.problem.frame, &tractions).unwrap();
+    let pressed =
+        PressedHalfSpace::in_contact(bodies, 1, &simple.problem.frame, &tractions).unwrap();
     let found = pressed.points(&points).unwrap();
     let peak = state.pressure.iter().copied().fold(0.0, f64::max);
     for (found, known) in found.iter().zip(&known) {

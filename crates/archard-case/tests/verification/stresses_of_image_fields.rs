@@ -1,7 +1,7 @@
 //! Stresses inside bodies that are half-spaces with image fields.
 
 use archard::body::Body;
-use archard::elastic::{Deformed, Point, Pressed, Response, Section, von_mises};
+use archard::elastic::{DeformedBody, Point, PressedHalfSpace, Response, Section, von_mises};
 use archard::frame::VectorField;
 use archard::simulation::{Simulation, offsets};
 use archard::stress::MEASURES;
@@ -26,11 +26,11 @@ fn last(simulation: &Simulation) -> VectorField {
 }
 
 /// A body of a simulation with its image field.
-fn pressed(simulation: &Simulation, which: usize) -> Pressed {
+fn pressed(simulation: &Simulation, which: usize) -> PressedHalfSpace {
     let problem = &simulation.problem;
     let placed = (which, offsets(&problem.bodies, &problem.motion));
     let bodies = problem.bodies.each_ref();
-    Pressed::with_ends(bodies, placed, &problem.frame, &last(simulation)).unwrap().unwrap()
+    PressedHalfSpace::with_ends(bodies, placed, &problem.frame, &last(simulation)).unwrap().unwrap()
 }
 
 fn largest(one: &Response, other: &Response) -> f64 {
@@ -57,13 +57,14 @@ fn stresses_of_a_cube_are_those_of_a_mesh_around_its_zone() {
     for (text, which) in [(PUNCHED, 1), (turned.as_str(), 0)] {
         let meshed = case(text, &[&MESHED[..], &[ROUGH]].concat());
         let bodies = meshed.problem.bodies.each_ref();
-        let known = Deformed::in_contact(bodies, which, &last(&meshed), &points);
+        let known = DeformedBody::in_contact(bodies, which, &last(&meshed), &points);
         let known = known.unwrap().unwrap().points;
         let imaged = case(text, &[ROUGH]);
         let found = pressed(&imaged, which);
         let alone = imaged.problem.bodies.clone().map(|body| Body { finite: None, ..body });
         let frame = &imaged.problem.frame;
-        let alone = Pressed::in_contact(alone.each_ref(), which, frame, &last(&imaged)).unwrap();
+        let alone =
+            PressedHalfSpace::in_contact(alone.each_ref(), which, frame, &last(&imaged)).unwrap();
         for ((known, place), depth) in known.iter().zip(places).zip(0..) {
             let scale = von_mises(&known.stress);
             let off = largest(&found.at(place).unwrap(), known) / scale;
@@ -77,7 +78,7 @@ fn stresses_of_a_cube_are_those_of_a_mesh_around_its_zone() {
 }
 
 /// The mean stress (Pa) across a cut at a depth (m), along x and z, and by how much stresses there are off at most.
-fn across(pressed: &Pressed, depth: f64) -> ([f64; 2], f64) {
+fn across(pressed: &PressedHalfSpace, depth: f64) -> ([f64; 2], f64) {
     const COUNT: usize = 12;
     let (mut mean, mut places) = ([0.0; 2], vec![]);
     for cell in 0..COUNT * COUNT {

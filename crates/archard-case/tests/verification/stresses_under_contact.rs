@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use archard::elastic::{Deformed, Point, Section};
+use archard::elastic::{DeformedBody, Point, Section};
 use archard::simulation::Simulation;
 use archard_case::output::{Inside, Sheet, Store};
 
@@ -15,10 +15,10 @@ const LARGE: &str = r#"body.block.mesh.box.size=["40 mm", "40 mm", "40 mm"]"#;
 const MESHED: &str = "body.block.elasticity=boundary_elements";
 
 /// The load (N) at the end, and what it makes of a body.
-fn under(simulation: &Simulation, which: usize, points: &[Point]) -> (f64, Deformed) {
+fn under(simulation: &Simulation, which: usize, points: &[Point]) -> (f64, DeformedBody) {
     let last = states(simulation).unwrap().pop().unwrap().0;
     let bodies = simulation.problem.bodies.each_ref();
-    let deformed = Deformed::in_contact(bodies, which, &last.tractions(), points).unwrap();
+    let deformed = DeformedBody::in_contact(bodies, which, &last.tractions(), points).unwrap();
     (last.load, deformed.expect("a meshed body"))
 }
 
@@ -38,7 +38,7 @@ fn hertz(depth: f64) -> [f64; 2] {
 
 /// The largest errors of the stress along z and across it on the axis, relative to the peak pressure, where that
 /// many bodies are elastic.
-fn errors(elastic: f64, load: f64, deformed: &Deformed, depths: &[f64]) -> [f64; 2] {
+fn errors(elastic: f64, load: f64, deformed: &DeformedBody, depths: &[f64]) -> [f64; 2] {
     let radius = (0.75 * load * 0.05 * elastic * (1.0 - 0.09) / 210e9).cbrt();
     let peak = 1.5 * load / (PI * radius * radius);
     let mut errors = [0.0f64; 2];

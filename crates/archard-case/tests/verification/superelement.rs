@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-use archard::body::mesh::{MESHES, Meshed, Shape};
+use archard::body::mesh::{ContactMesh, MESHES, Shape};
 use archard::body::{Elasticity, Finite, Interpolation, Support};
 use archard::compliance::fem::{Carrier, OnNodes};
 use archard::parameters::{Value, Values};
@@ -63,7 +63,7 @@ fn flexibility(text: &str, falling: bool) -> [String; 2] {
     values.insert("contact", Value::Word("zone".to_owned()));
     let choice = MESHES.iter().find(|choice| choice.name == "file").unwrap();
     let shape: Box<dyn Shape> = (choice.build)(&values).unwrap();
-    let meshed: Meshed = shape.filled().unwrap().unwrap();
+    let meshed: ContactMesh = shape.filled().unwrap().unwrap();
     let volume = Arc::clone(meshed.volume.as_ref().unwrap());
     let base = meshed.mesh.surfaces.iter().position(|name| name == "base").unwrap();
     let mut nodes = BTreeMap::new();

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use archard::body::contact_modulus;
 use archard::closed_form::{Hertz, cattaneo_mindlin::PartialSlip};
-use archard::compliance::bem::contact::Meeting;
+use archard::compliance::bem::contact::BodiesInContact;
 use glam::DVec3;
 
 use crate::common::{Rows, STEEL, case, peak, states};
@@ -215,7 +215,7 @@ fn a_small_contact_on_a_block_is_that_of_hertz() {
     let off = (peak(&state.pressure) / hertz.peak_pressure - 1.0).abs();
     assert!(off < missed + alone && missed < 0.01 && alone < 0.05, "{off} {missed} {alone}");
     let [ball, block] = &problem.bodies;
-    let meeting = Meeting::of([ball, block]).unwrap();
+    let meeting = BodiesInContact::of([ball, block]).unwrap();
     let (_, inside) = meeting.inside(1, &state.tractions()).unwrap().unwrap();
     for depth in [0.1, 0.25, 0.5, 0.75, 1.0, 1.5] {
         let at = DVec3::new(0.0, 0.0, -depth * hertz.semi_axes[0]);

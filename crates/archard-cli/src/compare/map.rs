@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{WORN_VOLUME, of_body};
-use archard_case::measured::surface::{Scar, Surface, Unworn};
+use archard_case::measured::surface::{Scar, Surface, UnwornSurface};
 use archard_case::output::Image;
 use archard_case::verdict::Verdict;
 
@@ -31,7 +31,7 @@ pub(super) fn compare(
     );
     let shape = profile::shape(results, body)?;
     let passes = results.passes(body);
-    let unworn = Unworn::passing(&shape, passes.map(Axis::index));
+    let unworn = UnwornSurface::passing(&shape, passes.map(Axis::index));
     let scar = Scar::find(surface, unworn).with_context(|| surface.source().to_owned())?;
     ensure!(
         scar.angle.abs() < ASKEW,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use archard_lab::{Coefficient, Fit, Shown};
+use archard_lab::{Coefficient, DrawnCurve, Fit};
 
 use super::HIGH;
 use super::SHOWN;
@@ -32,7 +32,7 @@ pub fn admit(dir: &Path) -> Result<()> {
     places(&dir.join("fit"), &Paper::default()).map(|_| ())
 }
 
-fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
+fn panel(fit: &Fit, own: &Coefficient, shown: &DrawnCurve) -> Panel {
     let (name, factor, unit) = &fit.quantities[shown.quantity];
     let own_readings = || {
         let tests = own.tests.iter().filter(|test| test.load == shown.load);

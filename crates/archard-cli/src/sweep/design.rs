@@ -1,6 +1,6 @@
 //! The rows of a study: what is put at which keys, and the checked case of each row.
 
-use archard_case::{Problem, Resolved, Severity, Task, ValueAt};
+use archard_case::{Problem, RunnableCase, Severity, Task, ValueAt};
 use serde_json::json;
 
 use super::points::{MOST, points, together};
@@ -34,7 +34,7 @@ pub struct Row {
     /// has them.
     pub cells: Vec<String>,
     /// Its case.
-    pub resolved: Box<Resolved>,
+    pub resolved: Box<RunnableCase>,
 }
 
 /// The study of the arguments, every row of it checked; nothing is written.

@@ -38,7 +38,7 @@ fn samples(fit: &FitFile) -> Result<Vec<String>, String> {
                 .into(),
         );
     }
-    let one = |own: &fitted::Fitted| {
+    let one = |own: &fitted::FittedCoefficient| {
         let [deviation, degrees] = own.next.clone().map_err(|why| {
             format!("{why}: make another test, or give --sample with a scatter of your own")
         })?;

@@ -35,8 +35,8 @@ use crate::interrupt::Requests;
 use crate::say::{say, tell};
 use design::Design;
 use row::Outcome;
-use shared::Shared;
-use table::{Known, Status};
+use shared::SharedRun;
+use table::{RowState, Status};
 
 /// Runs a study, or goes on with it.
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
@@ -65,7 +65,8 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
              coefficient and are alike in all else (--separate runs each by itself)."
         ));
     }
-    let mine = |(index, _): &(usize, &Shared)| arguments.task.is_none_or(|task| task.holds(*index));
+    let mine =
+        |(index, _): &(usize, &SharedRun)| arguments.task.is_none_or(|task| task.holds(*index));
     let groups = groups.iter().enumerate().filter(mine).map(|(_, group)| group);
     let own: Vec<usize> = groups.flat_map(|group| group.rows.clone()).collect();
     let groups = shared::group(&design.rows, &own, arguments.separate);
@@ -75,7 +76,7 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     if !requests.any() && !arguments.quiet {
         words::medians(&design, &known).iter().try_for_each(|line| say(line))?;
     }
-    let standing: Vec<Status> = known.iter().map(Known::status).collect();
+    let standing: Vec<Status> = known.iter().map(RowState::status).collect();
     let own = own.iter().map(|&row| standing[row]).collect();
     conclude(arguments, [own, standing], &requests)
 }
@@ -133,7 +134,7 @@ const FILES: [&str; 3] = [DESIGN, STUDY, table::SWEEP];
 fn run_all(
     arguments: &Sweep,
     design: &Design,
-    groups: &[Shared],
+    groups: &[SharedRun],
     requests: &Requests,
 ) -> Result<(), Failure> {
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);

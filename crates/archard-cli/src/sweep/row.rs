@@ -8,7 +8,7 @@ use archard::accuracy::Event;
 use archard::simulation::{Observer, Report, Simulation};
 use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, ResultFolder, Store};
-use archard_case::{BuildError, Case, Problem, Resolved};
+use archard_case::{BuildError, Case, Problem, RunnableCase};
 
 use crate::interrupt::{Interrupted, Requests};
 use crate::underway::{self, Underway};
@@ -37,13 +37,13 @@ pub fn summary(dir: &Path) -> Option<serde_json::Value> {
 }
 
 /// Whether a folder holds a run of that case that came to its end.
-pub fn is_done(dir: &Path, resolved: &Resolved) -> bool {
+pub fn is_done(dir: &Path, resolved: &RunnableCase) -> bool {
     let same = kept(dir).is_some_and(|known| resolved.is_printed(&known));
     same && summary(dir).is_some_and(|summary| summary["complete"] == true)
 }
 
 /// Whether a folder holds another case.
-pub fn holds_another(dir: &Path, resolved: &Resolved) -> bool {
+pub fn holds_another(dir: &Path, resolved: &RunnableCase) -> bool {
     kept(dir).is_some_and(|known| !resolved.is_printed(&known))
 }
 
@@ -54,7 +54,7 @@ fn kept(dir: &Path) -> Option<String> {
 
 /// Runs a row, or goes on with it where it was interrupted.
 pub fn run(
-    resolved: &Resolved,
+    resolved: &RunnableCase,
     dir: &Path,
     (requests, store): (&Requests, Option<&Store>),
 ) -> Outcome {
@@ -69,7 +69,7 @@ pub fn run(
 }
 
 fn attempt(
-    resolved: &Resolved,
+    resolved: &RunnableCase,
     dir: &Path,
     (requests, store): (&Requests, Option<&Store>),
 ) -> Result<Outcome, Error> {
@@ -87,7 +87,7 @@ fn attempt(
     };
     let resolved = &resolved;
     let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;
-    let mut results = Following { folder, requests };
+    let mut results = StoppableOutput { folder, requests };
     let beside = store.map(|store| Store::new(store.folder()));
     let mut inside = resolved.case.inside().keeping(beside);
     let failure = built.and_then(|simulation| {
@@ -113,7 +113,7 @@ fn attempt(
 /// The results of a row, from the start or from where they were interrupted.
 fn begin(
     claim: Claim,
-    resolved: &Resolved,
+    resolved: &RunnableCase,
     simulation: Option<&Simulation>,
 ) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
     let (dir, case_toml) = (claim.dir().to_owned(), resolved.case.to_string());
@@ -141,7 +141,7 @@ pub fn build(case: &Case, store: Option<&Store>) -> Result<Simulation, BuildErro
 /// Writes the summary of results.
 pub fn finish(
     folder: ResultFolder,
-    resolved: &Resolved,
+    resolved: &RunnableCase,
     begun: Instant,
     failure: Option<String>,
 ) -> Result<(), Error> {
@@ -151,14 +151,14 @@ pub fn finish(
 }
 
 /// Results that end where a stop is asked for.
-pub struct Following<'a> {
+pub struct StoppableOutput<'a> {
     /// The results.
     pub folder: ResultFolder,
     /// Whether a stop was asked for.
     pub requests: &'a Requests,
 }
 
-impl Observer for Following<'_> {
+impl Observer for StoppableOutput<'_> {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         self.folder.observe(report)?;
         if self.requests.any() {

@@ -11,25 +11,25 @@ use std::time::Instant;
 use archard::simulation::history::{self, WEAR_DEPTH, rescaled};
 use archard::simulation::{Observer, Report};
 use archard_case::Problem;
-use archard_case::output::{Claim, Derived, Error, Store};
+use archard_case::output::{Claim, Error, RowsOfRun, Store};
 use archard_case::verdict::{Verdict, Warning};
 
 use super::course::Course;
 use super::design::Row;
-use super::row::{self, Following, Outcome};
+use super::row::{self, Outcome, StoppableOutput};
 use crate::interrupt::Requests;
 use archard::numerics::SAME;
 
 /// Rows that one run gives.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shared {
+pub struct SharedRun {
     /// The rows by number from zero on, by rising coefficient; the last one is run.
     pub rows: Vec<usize>,
     /// Their coefficients over that of the last one.
     pub shares: Vec<f64>,
 }
 
-impl Shared {
+impl SharedRun {
     /// The row that is run.
     pub fn runs(&self) -> usize {
         self.rows[self.rows.len() - 1]
@@ -37,7 +37,7 @@ impl Shared {
 }
 
 /// Some of the rows, those together that one run gives, by their first row.
-pub fn group(rows: &[Row], which: &[usize], separate: bool) -> Vec<Shared> {
+pub fn group(rows: &[Row], which: &[usize], separate: bool) -> Vec<SharedRun> {
     let mut kinds: HashMap<String, Vec<(f64, usize)>> = HashMap::new();
     let mut groups = vec![];
     for &index in which {
@@ -54,17 +54,17 @@ pub fn group(rows: &[Row], which: &[usize], separate: bool) -> Vec<Shared> {
     groups
 }
 
-fn alone(row: usize) -> Shared {
-    Shared { rows: vec![row], shares: vec![1.0] }
+fn alone(row: usize) -> SharedRun {
+    SharedRun { rows: vec![row], shares: vec![1.0] }
 }
 
 /// The rows of one kind, by rising coefficient: one group, and by themselves those that a run would not tell apart.
-fn told(rows: &[Row], alike: &[(f64, usize)]) -> Vec<Shared> {
+fn told(rows: &[Row], alike: &[(f64, usize)]) -> Vec<SharedRun> {
     let Some(&(largest, last)) = alike.last() else { return vec![] };
     let Ok((_, schedule)) = rows[last].resolved.case.motion.build() else {
         return alike.iter().map(|&(_, row)| alone(row)).collect();
     };
-    let mut shared = Shared { rows: vec![], shares: vec![] };
+    let mut shared = SharedRun { rows: vec![], shares: vec![] };
     let mut groups = vec![];
     for &(coefficient, row) in alike {
         let share = coefficient / largest;
@@ -82,7 +82,7 @@ fn told(rows: &[Row], alike: &[(f64, usize)]) -> Vec<Shared> {
 
 /// Runs the last of the rows and writes a result folder for each.
 pub fn run(
-    (shared, rows, study): (&Shared, &[Row], &Path),
+    (shared, rows, study): (&SharedRun, &[Row], &Path),
     (requests, store): (&Requests, Option<&Store>),
 ) -> Vec<(usize, Outcome)> {
     let done = |index: &usize| row::is_done(&row::folder(study, *index), &rows[*index].resolved);
@@ -102,7 +102,7 @@ pub fn run(
 }
 
 fn attempt(
-    (shared, rows, study): (&Shared, &[Row], &Path),
+    (shared, rows, study): (&SharedRun, &[Row], &Path),
     (requests, store): (&Requests, Option<&Store>),
 ) -> Result<Vec<(usize, Outcome)>, Error> {
     let begun = Instant::now();
@@ -116,7 +116,7 @@ fn attempt(
     let warnings: Vec<Vec<Warning>> = shared.rows.iter().map(told).collect();
     let mut passing = Passing {
         warnings: &warnings,
-        results: Following { folder, requests },
+        results: StoppableOutput { folder, requests },
         outputs: vec![],
         places: vec![],
         history: vec![],
@@ -174,7 +174,7 @@ fn attempt(
         }
         let failure = failure.as_deref().filter(|_| known.is_none());
         let case_toml = rows[index].resolved.case.to_string();
-        Derived { rows: &told, verdict, from: &from, failure }.write(&dir, &case_toml)?;
+        RowsOfRun { rows: &told, verdict, from: &from, failure }.write(&dir, &case_toml)?;
         Ok((index, outcome))
     };
     shared.rows.iter().enumerate().map(write).collect()
@@ -182,7 +182,7 @@ fn attempt(
 
 /// Follows the run: its results, and how far it was where each row ends.
 struct Passing<'a> {
-    results: Following<'a>,
+    results: StoppableOutput<'a>,
     /// What the user was warned of, by rows.
     warnings: &'a [Vec<Warning>],
     /// Where fields are put out (the motion's unit): at the outputs of the case.

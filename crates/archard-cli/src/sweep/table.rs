@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use archard_case::Resolved;
+use archard_case::RunnableCase;
 use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, Manifest};
 
@@ -28,7 +28,7 @@ pub enum Status {
 }
 
 /// What is known of a row.
-pub struct Known {
+pub struct RowState {
     status: &'static str,
     /// Whether its result can be believed, in a word.
     pub verdict: String,
@@ -39,7 +39,7 @@ pub struct Known {
     last: Vec<(String, String)>,
 }
 
-impl Known {
+impl RowState {
     /// How far it is.
     pub fn status(&self) -> Status {
         match (self.status, self.verdict.as_str()) {
@@ -60,7 +60,7 @@ impl Known {
 ///
 /// # Errors
 /// If the table cannot be written.
-pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
+pub fn collect(study: &Path, design: &Design) -> Result<Vec<RowState>, Error> {
     // The last of several tasks to get the lock sees what all have done.
     let _claim = wait_for(study)?;
     for (index, row) in design.rows.iter().enumerate() {
@@ -73,7 +73,7 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
             }
         }
     }
-    let known: Vec<Known> = design
+    let known: Vec<RowState> = design
         .rows
         .iter()
         .enumerate()
@@ -122,8 +122,8 @@ pub fn wait_for(study: &Path) -> Result<Claim, Error> {
 }
 
 /// What the folder of a row says. Numbers of a row that stopped before its end are not its results.
-pub fn of(dir: &Path, resolved: &Resolved) -> Known {
-    let nothing = |status| Known {
+pub fn of(dir: &Path, resolved: &RunnableCase) -> RowState {
+    let nothing = |status| RowState {
         status,
         verdict: String::new(),
         reason: String::new(),
@@ -136,10 +136,10 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
     if let Some(why) = summary["failure"].as_str() {
         let first = why.lines().next().unwrap_or_default().to_owned();
         let status = if first == "interrupted" { "interrupted" } else { "failed" };
-        return Known { error: first, ..nothing(status) };
+        return RowState { error: first, ..nothing(status) };
     }
     if let Err(error) = Manifest::read(dir).and_then(|known| known.verify()) {
-        return Known { error: error.to_string(), ..nothing("failed") };
+        return RowState { error: error.to_string(), ..nothing("failed") };
     }
     let verdict = summary["verdict"]["word"].as_str().unwrap_or_default().to_owned();
     match last_row(&dir.join("history.csv")) {
@@ -147,9 +147,9 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
             last.extend(regime::of(dir, &last).into_iter().flatten());
             last.extend(life::of(&summary));
             last.extend(damage::of(&summary));
-            Known { verdict, reason: reason(&summary), last, ..nothing("done") }
+            RowState { verdict, reason: reason(&summary), last, ..nothing("done") }
         }
-        None => Known { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },
+        None => RowState { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },
     }
 }
 

@@ -6,7 +6,7 @@ use archard::simulation::history::{
 use archard_case::Case;
 
 use super::design::{Design, Row};
-use super::table::{Known, Status};
+use super::table::{RowState, Status};
 use super::{life, values};
 use crate::number::four;
 use crate::plot::quantile;
@@ -46,7 +46,7 @@ impl Quantity {
 
 /// The numbers that tell a row of a case: depths of each body, where any wears, the peak pressure, and what friction passes
 /// on where nothing wears.
-fn quantities(case: &Case, known: &Known) -> Vec<Quantity> {
+fn quantities(case: &Case, known: &RowState) -> Vec<Quantity> {
     let present = |quantity: &Quantity| known.number(&quantity.column).is_some();
     let pressure = Quantity::new("peak pressure", PEAK_PRESSURE, ("MPa", 1e-6));
     if known.number(WEAR_DEPTH).is_none_or(|depth| depth == 0.0) {
@@ -67,7 +67,7 @@ fn quantities(case: &Case, known: &Known) -> Vec<Quantity> {
 }
 
 /// "row 3, load 10 N: wear depth (pin) 1.459 um, peak pressure 25.13 MPa (good)".
-pub fn row(design: &Design, index: usize, known: &Known) -> String {
+pub fn row(design: &Design, index: usize, known: &RowState) -> String {
     let row = &design.rows[index];
     let quantities = quantities(&row.resolved.case, known);
     let came: Vec<String> = quantities
@@ -120,7 +120,7 @@ fn end_of<'a>(key: &'a str, keys: &[String]) -> &'a str {
 
 /// The median and the interval of each number over the rows that are done, a line each; over samples at each combination of
 /// what is gone over.
-pub fn medians(design: &Design, known: &[Known]) -> Vec<String> {
+pub fn medians(design: &Design, known: &[RowState]) -> Vec<String> {
     let sampled = design.layout.is_some();
     let over = if sampled { design.over } else { 0 };
     let all: Vec<usize> = (0..design.rows.len()).collect();
@@ -130,7 +130,7 @@ pub fn medians(design: &Design, known: &[Known]) -> Vec<String> {
     all.chunk_by(alike).flat_map(|rows| medians_of(design, known, (rows, over))).collect()
 }
 
-fn medians_of(design: &Design, known: &[Known], (rows, over): (&[usize], usize)) -> Vec<String> {
+fn medians_of(design: &Design, known: &[RowState], (rows, over): (&[usize], usize)) -> Vec<String> {
     let done: Vec<usize> =
         rows.iter().copied().filter(|&row| known[row].status() == Status::Done).collect();
     let Some(&first) = done.first().filter(|_| done.len() > 1) else { return vec![] };

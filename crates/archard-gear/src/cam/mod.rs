@@ -19,7 +19,7 @@ use archard::wear::WearLaw;
 
 pub use lift::Lift;
 pub use shape::{Follower, Profile, Touch};
-pub use wear::Worn;
+pub use wear::WornCam;
 
 use crate::laws::{Laws, Misfit, checked, contact_modulus};
 use crate::line::hertz;

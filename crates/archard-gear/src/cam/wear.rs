@@ -18,7 +18,7 @@ const FINEST: f64 = 1.0 / 64.0;
 
 /// A cam and its follower that are worn.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Worn {
+pub struct WornCam {
     /// Angles (rad) of the cam and places (m) of the follower where depths are known.
     pub nodes: [Vec<f64>; 2],
     /// From new to worn.
@@ -34,7 +34,7 @@ pub struct Worn {
     pub changed: [f64; 2],
 }
 
-impl Worn {
+impl WornCam {
     /// The end of the course.
     pub fn last(&self) -> &Moment {
         &self.course[self.course.len() - 1]
@@ -130,7 +130,7 @@ impl Cam {
     }
 
     /// Wears cam and follower over so many turns, or until a limit is reached.
-    pub fn wear(&self, turns: f64, limits: &[Limit]) -> Worn {
+    pub fn wear(&self, turns: f64, limits: &[Limit]) -> WornCam {
         let sweep = Sweep::new(self, [self.angles(), POINTS]);
         let nodes = [0, 1].map(|body| self.nodes(&sweep, body));
         let surfaces = self.surfaces(&sweep, &nodes);
@@ -171,7 +171,7 @@ impl Cam {
             let rate = surfaces.rates(&last.depths)[limit.body][at];
             (limit, until + error / rate)
         });
-        Worn { nodes, course, errors, volumes, life, changed }
+        WornCam { nodes, course, errors, volumes, life, changed }
     }
 
     /// Adds how far off depths are by half of what is known of the lift, of the angles and of the points of a passage.

@@ -46,7 +46,7 @@ impl Variances {
 }
 
 /// What a test says under variances.
-pub struct Told {
+pub struct TestLikelihood {
     /// J' V^-1 J and J' V^-1 y.
     pub information: Matrix,
     pub score: Vec<f64>,
@@ -56,7 +56,7 @@ pub struct Told {
     plain: (Matrix, Vec<f64>),
 }
 
-impl Told {
+impl TestLikelihood {
     pub fn of(rows: &Rows, variances: &Variances) -> Self {
         let size = variances.between.len();
         let (mut plain, mut sums) = (zeros(size), vec![0.0; size]);
@@ -91,17 +91,18 @@ impl Told {
 
 /// All tests under variances: what each says, the inverse of the information of all, and the change of the coefficients that
 /// fits best.
-pub struct Fitted {
-    pub told: Vec<Told>,
+pub struct JointFit {
+    pub told: Vec<TestLikelihood>,
     pub inverse: Matrix,
     pub change: Vec<f64>,
 }
 
-impl Fitted {
+impl JointFit {
     pub fn of(tests: &[Rows], variances: &Variances) -> Self {
-        let told: Vec<Told> = tests.iter().map(|rows| Told::of(rows, variances)).collect();
+        let told: Vec<TestLikelihood> =
+            tests.iter().map(|rows| TestLikelihood::of(rows, variances)).collect();
         let size = variances.between.len();
-        let sum = |all: Matrix, own: &Told| plus(&all, &own.information, 1.0);
+        let sum = |all: Matrix, own: &TestLikelihood| plus(&all, &own.information, 1.0);
         let information = told.iter().fold(zeros(size), sum);
         let inverse = power(&information, -1.0, NOTHING);
         let score: Vec<f64> =
@@ -152,7 +153,7 @@ impl Fitted {
 pub fn variances(tests: &[Rows], from: &Variances, stated: bool) -> Variances {
     let mut found = from.clone();
     for _ in 0..ITERATIONS {
-        let factors = Fitted::of(tests, &found).factors(tests, &found, stated);
+        let factors = JointFit::of(tests, &found).factors(tests, &found, stated);
         let mut largest = 0.0_f64;
         let mut by = |values: &mut [f64], factors: &[f64], most: f64| {
             for (value, factor) in values.iter_mut().zip(factors) {

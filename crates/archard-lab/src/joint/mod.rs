@@ -13,7 +13,7 @@ mod worth;
 
 use super::within::{FLAT, ITERATIONS, STRIDE, Test};
 use matrix::{Matrix, dot, eigen, plus, times, zeros};
-use mixed::{Fitted, Rows, Variances, variances};
+use mixed::{JointFit, Rows, Variances, variances};
 
 /// Factor by which steps are held back where they lead nowhere, and less where they do.
 const HOLD: f64 = 10.0;
@@ -138,7 +138,7 @@ impl Tests<'_> {
         for _ in 0..ITERATIONS {
             let mut information = zeros(logs.len());
             let mut score = vec![0.0; logs.len()];
-            for own in rows.iter().map(|own| mixed::Told::of(own, &flat)) {
+            for own in rows.iter().map(|own| mixed::TestLikelihood::of(own, &flat)) {
                 information = plus(&information, &own.information, 1.0);
                 score.iter_mut().zip(&own.score).for_each(|(sum, part)| *sum += part);
             }
@@ -206,7 +206,7 @@ impl Tests<'_> {
             spread = spread.towards(&variances(&at.rows, &spread, stated), share);
             let before = at.logs.clone();
             at = self.best(at, &spread, settled, model)?;
-            let known = Fitted::of(&at.rows, &spread).inverse;
+            let known = JointFit::of(&at.rows, &spread).inverse;
             let off = |(i, log): (usize, &f64)| {
                 (log - before[i]).abs() <= settled.max(OF_UNCERTAINTY * known[i][i].sqrt())
             };
@@ -228,7 +228,7 @@ impl Tests<'_> {
     ) -> Result<Place, NotTold<E>> {
         let mut at = from;
         for _ in 0..ITERATIONS {
-            let fitted = Fitted::of(&at.rows, spread);
+            let fitted = JointFit::of(&at.rows, spread);
             let (mut steps, mut largest) = (vec![], 0.0_f64);
             for (own, told) in at.of_tests.iter().zip(&fitted.told) {
                 let effects = told.effects(&fitted.change);
@@ -294,8 +294,8 @@ impl Place {
 
 /// Refuses readings that say nothing in a direction.
 fn told<E>(rows: &[Rows], flat: &Variances) -> Result<(), NotTold<E>> {
-    let fitted = Fitted::of(rows, flat);
-    let sum = |all: Matrix, own: &mixed::Told| plus(&all, &own.information, 1.0);
+    let fitted = JointFit::of(rows, flat);
+    let sum = |all: Matrix, own: &mixed::TestLikelihood| plus(&all, &own.information, 1.0);
     let information = fitted.told.iter().fold(zeros(flat.between.len()), sum);
     let squares: f64 = rows.iter().flat_map(|own| &own.slopes).map(|row| dot(row, row)).sum();
     match eigen(&information).first() {

@@ -6,7 +6,7 @@
 //! as many degrees of freedom as there are tests but one.
 
 use super::matrix::{Matrix, add_square, dot, eigen, power, product, times, zeros};
-use super::mixed::{Fitted, NOTHING};
+use super::mixed::{JointFit, NOTHING};
 
 /// Share of all that is known of a direction, in one test, from which on the others say nothing of it.
 const ALONE: f64 = 1.0 - 1e-6;
@@ -24,7 +24,7 @@ pub struct Covariance {
 
 impl Covariance {
     /// Of two tests or more.
-    pub fn of(fitted: &Fitted) -> Self {
+    pub fn of(fitted: &JointFit) -> Self {
         let size = fitted.change.len();
         let root = power(&fitted.inverse, 0.5, NOTHING);
         let mut alone = None;
@@ -76,7 +76,7 @@ fn degrees(parts: &[(Matrix, Matrix)], direction: &[f64]) -> f64 {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::super::mixed::{Fitted, Rows, Variances};
+    use super::super::mixed::{JointFit, Rows, Variances};
     use super::Covariance;
 
     /// Tests read equally: the standard error of the mean and n - 1, of any textbook.
@@ -91,7 +91,7 @@ mod tests {
         };
         let tests: Vec<Rows> = values.iter().map(rows).collect();
         let variances = Variances { between: vec![0.7], readings: vec![0.2] };
-        let fitted = Fitted::of(&tests, &variances);
+        let fitted = JointFit::of(&tests, &variances);
         let found = Covariance::of(&fitted);
         assert_relative_eq!(fitted.change[0], 3.0, max_relative = 1e-12);
         // The sum of squares about 3 is 10.

@@ -5,9 +5,9 @@ use std::convert::Infallible;
 use super::super::effects::factor;
 use super::super::estimate::{Common, Estimate, MANY, UNTOLD};
 use super::super::shape::Exponent;
-use super::super::within::{Fitted as Within, Test};
+use super::super::within::{FittedTest, Test};
 use super::matrix::{Matrix, dot, eigen};
-use super::mixed::{Fitted, Rows, Variances};
+use super::mixed::{JointFit, Rows, Variances};
 use super::robust::Covariance;
 use super::{Joint, NotTold, Place, combined, told};
 
@@ -18,7 +18,7 @@ impl Joint {
     ) -> Result<Self, NotTold<E>> {
         let (matrix, degrees) = covariance(&rows, &variances, stated)?;
         let by_readings = Variances { between: vec![0.0; logs.len()], ..variances.clone() };
-        let by_readings = Fitted::of(&rows, &by_readings).inverse;
+        let by_readings = JointFit::of(&rows, &by_readings).inverse;
         match eigen(&by_readings).last() {
             Some((variance, vector)) if variance.sqrt() > UNTOLD => {
                 return Err(NotTold::Flat(combined(vector)));
@@ -41,7 +41,7 @@ impl Joint {
             Rows { left, ..own.clone() }
         };
         let rows: Vec<Rows> = self.rows.iter().zip(more).map(part).collect();
-        Fitted::of(&rows, &self.variances).change
+        JointFit::of(&rows, &self.variances).change
     }
 
     /// The exponent of something, by its logarithm at each reading of each test, that all coefficients go by besides the law.
@@ -62,7 +62,7 @@ impl Joint {
             readings: vec![1.0; variances.readings.len()],
         };
         told::<Infallible>(&rows, &flat).ok()?;
-        let fitted = Fitted::of(&rows, &variances);
+        let fitted = JointFit::of(&rows, &variances);
         let (matrix, degrees) = covariance::<Infallible>(&rows, &variances, self.stated).ok()?;
         let last = self.logs.len();
         (degrees[last] >= 1.0).then(|| {
@@ -107,7 +107,7 @@ impl Joint {
         // As many tests say something of it as degrees of freedom and one.
         let next = many.then(|| with_common(variance * (degrees + 2.0)));
         let known = self.stated || degrees >= 1.0;
-        let reading = Fitted::of(
+        let reading = JointFit::of(
             &self.rows,
             &Variances {
                 between: vec![0.0; self.logs.len()],
@@ -145,12 +145,12 @@ impl Joint {
     }
 
     /// The fit of a test as that of one coefficient.
-    fn within(&self, place: usize, rows: &Rows, own: &[f64]) -> Within {
+    fn within(&self, place: usize, rows: &Rows, own: &[f64]) -> FittedTest {
         let effects: Vec<f64> = own.iter().zip(&self.logs).map(|(own, all)| own - all).collect();
         let each = || rows.slopes.iter().zip(&rows.unit);
         let left =
             |((row, unit), left): ((&Vec<f64>, &f64), &f64)| unit * (left - dot(row, &effects));
-        Within {
+        FittedTest {
             log_k: own[place],
             slopes: each().map(|(row, unit)| unit * row[place]).collect(),
             residuals: each().zip(&rows.left).map(left).collect(),
@@ -164,7 +164,7 @@ fn covariance<E>(
     variances: &Variances,
     stated: bool,
 ) -> Result<(Matrix, Vec<f64>), NotTold<E>> {
-    let fitted = Fitted::of(rows, variances);
+    let fitted = JointFit::of(rows, variances);
     let size = fitted.change.len();
     if let [one] = rows {
         let degrees = if stated { MANY } else { one.left.len() as f64 - size as f64 };

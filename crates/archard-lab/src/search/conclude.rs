@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::super::outcome::{Coefficient, Shown};
+use super::super::outcome::{Coefficient, DrawnCurve};
 use super::super::{Common, Error, Estimate};
 use super::{Run, Search, TRIED, Variant};
 use archard_case::Case;
@@ -127,7 +127,7 @@ impl Search<'_> {
         place: usize,
         load: Option<f64>,
         own: &Estimate,
-    ) -> Result<Vec<Shown>, Error> {
+    ) -> Result<Vec<DrawnCurve>, Error> {
         let [low, high] = own.interval.unwrap_or([own.median; 2]);
         let [next_low, next_high] = own.next.unwrap_or([low, high]);
         let ks = [next_low, low, own.median, high, next_high];
@@ -144,7 +144,7 @@ impl Search<'_> {
         place: usize,
         load: Option<f64>,
         models: &dyn Fn(usize, usize, f64) -> f64,
-    ) -> Vec<Shown> {
+    ) -> Vec<DrawnCurve> {
         let tests = || self.targets[place].tests.iter().filter(|test| test.load == load);
         let readings = || tests().flat_map(|test| &test.readings);
         let far = readings().map(|reading| reading.progress).fold(0.0, f64::max);
@@ -158,7 +158,7 @@ impl Search<'_> {
         };
         let shown = |quantity: usize| {
             let points = (0..POINTS).map(|index| point(quantity, index)).collect();
-            Shown { load, quantity, points }
+            DrawnCurve { load, quantity, points }
         };
         quantities.map(shown).collect()
     }

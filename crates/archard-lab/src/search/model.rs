@@ -1,6 +1,6 @@
 //! What runs say of readings at a coefficient: one run scaled, several interpolated, or one of its own.
 
-use super::super::{Error, Expected};
+use super::super::{Error, Expectation};
 use super::{Run, Search, TRIED, of_load};
 
 /// Factor between the k of a series of runs. A cubic through four of them is .023 (ln 2)^4 times the fourth derivative off;
@@ -51,18 +51,18 @@ impl Model {
     }
 
     /// What it says of a quantity at a place.
-    pub fn at(&self, quantity: usize, place: f64) -> Expected {
+    pub fn at(&self, quantity: usize, place: f64) -> Expectation {
         match self {
             Self::Scaled(run, times) => run.at(quantity, place * times),
             Self::Between(runs, t) => {
                 let logs = runs.each_ref().map(|run| run.at(quantity, place).log);
                 let [log, slope] = cubic(logs, *t);
-                Expected { log, slope: slope / APART.ln() }
+                Expectation { log, slope: slope / APART.ln() }
             }
             Self::Own(run, others) => {
                 let [here, tried] = others.each_ref().map(|run| run.at(quantity, place).log);
                 let log = run.at(quantity, place).log;
-                Expected { log, slope: (tried - here) / TRIED.ln() }
+                Expectation { log, slope: (tried - here) / TRIED.ln() }
             }
         }
     }

@@ -5,7 +5,7 @@
 
 use super::super::error::Error;
 use super::super::joint::{Joint, NEAR, NotTold, Tangent, Tests};
-use super::super::outcome::{Coefficient, Shown};
+use super::super::outcome::{Coefficient, DrawnCurve};
 use super::super::{Common, Reading, Test};
 use super::model::cubic;
 use super::rounds::{BEYOND, ROUNDS};
@@ -296,7 +296,7 @@ impl Search<'_> {
         place: usize,
         load: Option<f64>,
         ks: [f64; 5],
-    ) -> Result<Vec<Shown>, Error> {
+    ) -> Result<Vec<DrawnCurve>, Error> {
         let mut lattices = vec![];
         for k in ks {
             let mut logs = joint.logs.clone();

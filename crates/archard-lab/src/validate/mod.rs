@@ -11,14 +11,14 @@ mod set;
 use std::path::Path;
 
 pub use report::in_markdown;
-pub use set::{FILE, Given, Set};
+pub use set::{FILE, ReportedCoefficients, Set};
 
-use super::{Error, Following};
+use super::{Error, RunFollower};
 use archard_case::output::Store;
 
 /// A measured value and its prediction (SI).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Compared {
+pub struct Comparison {
     /// The test.
     pub test: String,
     /// What was measured.
@@ -36,7 +36,7 @@ pub struct Compared {
     pub halves: [f64; 3],
 }
 
-impl Compared {
+impl Comparison {
     /// The comparison error, simulation less data, over the data.
     pub fn error(&self) -> f64 {
         self.predicted / self.measured - 1.0
@@ -57,11 +57,11 @@ impl Compared {
 
 /// What came of a set.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Validated {
+pub struct Validation {
     /// The set.
     pub set: Set,
     /// Values and predictions, or why the law is rejected.
-    pub outcome: Result<Vec<Compared>, String>,
+    pub outcome: Result<Vec<Comparison>, String>,
     /// The coefficient that each test was predicted with, in words.
     pub coefficients: Vec<[String; 2]>,
     /// What is doubtful about the runs that predict.
@@ -75,7 +75,7 @@ pub struct Validated {
 pub fn validate(
     set: &Set,
     (dir, store): (&Path, Option<&Store>),
-    following: &mut dyn Following,
-) -> Result<Validated, Error> {
+    following: &mut dyn RunFollower,
+) -> Result<Validation, Error> {
     predict::Prediction::of(set, (dir, store), following)?.validated()
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Compared, Set, Validated};
+use super::{Comparison, Set, Validation};
 use crate::computed::{Setting, Shapes};
 use crate::effects::factor;
 use crate::estimate::MANY;
@@ -11,7 +11,7 @@ use crate::measurement::Measurement;
 use crate::quantity::Kind;
 use crate::runs::{Changes, Run, Runner};
 use crate::search::{Request, TRIED, load_key, settled, within};
-use crate::{Error, Files, Following, fit};
+use crate::{Error, Files, RunFollower, fit};
 use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
 use archard_case::output::Store;
@@ -23,7 +23,7 @@ pub(super) struct Prediction<'a> {
     set: &'a Set,
     dir: &'a Path,
     store: Option<&'a Store>,
-    following: &'a mut dyn Following,
+    following: &'a mut dyn RunFollower,
     file: CaseFile,
     case: Case,
     table: Table,
@@ -42,7 +42,7 @@ impl<'a> Prediction<'a> {
     pub fn of(
         set: &'a Set,
         (dir, store): (&'a Path, Option<&'a Store>),
-        following: &'a mut dyn Following,
+        following: &'a mut dyn RunFollower,
     ) -> Result<Self, Error> {
         let path = set.dir.join(&set.case);
         let unread =
@@ -61,7 +61,7 @@ impl<'a> Prediction<'a> {
     }
 
     /// All tests with their predictions.
-    pub fn validated(mut self) -> Result<Validated, Error> {
+    pub fn validated(mut self) -> Result<Validation, Error> {
         let mut names: Vec<String> = vec![];
         for name in self.table.texts("test").unwrap_or_default() {
             if !names.iter().any(|known| known == name) {
@@ -75,7 +75,7 @@ impl<'a> Prediction<'a> {
         let (mut all, mut coefficients) = (vec![], vec![]);
         let rejected = |why, coefficients| {
             let set = self.set.clone();
-            Ok(Validated { set, outcome: Err(why), coefficients, doubts: vec![] })
+            Ok(Validation { set, outcome: Err(why), coefficients, doubts: vec![] })
         };
         if self.set.coefficient.is_none() {
             let whole = self.fitted(&self.table.clone())?;
@@ -99,7 +99,7 @@ impl<'a> Prediction<'a> {
             coefficients.push([name.clone(), coefficient.words]);
         }
         let set = self.set.clone();
-        Ok(Validated { set, outcome: Ok(all), coefficients, doubts: self.doubts })
+        Ok(Validation { set, outcome: Ok(all), coefficients, doubts: self.doubts })
     }
 
     /// The table with the rows of a test, or without them.
@@ -154,7 +154,11 @@ impl<'a> Prediction<'a> {
     }
 
     /// What was measured of a test next to its prediction.
-    fn compared(&mut self, name: &str, coefficient: &Coefficient) -> Result<Vec<Compared>, Error> {
+    fn compared(
+        &mut self,
+        name: &str,
+        coefficient: &Coefficient,
+    ) -> Result<Vec<Comparison>, Error> {
         let own = self.part(name, true);
         let files = Files { folder: &self.set.dir, columns: &[] };
         let case = self.case.clone();
@@ -183,7 +187,7 @@ impl<'a> Prediction<'a> {
                     let share = (reading.progress / fine.end).min(1.0);
                     profiles.push((profile, settings.clone(), share, halves[1]));
                 }
-                all.push(Compared {
+                all.push(Comparison {
                     test: name.to_owned(),
                     quantity: quantity.name.clone(),
                     unit: quantity.kind.shown(),
@@ -259,7 +263,7 @@ fn depth_and_width_of(
     test: &str,
     (scar, half): (&Scar, f64),
     (fine, coarse): (&Shape, &Shape),
-) -> Vec<Compared> {
+) -> Vec<Comparison> {
     let Some((values, coarse)) = depth_and_width(fine).zip(depth_and_width(coarse)) else {
         return vec![];
     };
@@ -269,7 +273,7 @@ fn depth_and_width_of(
         ("width", (1e3, "mm"), scar.width, 1.0 - fine.exponent()),
     ];
     let compared = own.into_iter().enumerate().map(|(at, (quantity, unit, data, exponent))| {
-        data.map(|data| Compared {
+        data.map(|data| Comparison {
             test: test.to_owned(),
             quantity: quantity.to_owned(),
             unit,

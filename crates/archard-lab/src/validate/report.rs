@@ -4,10 +4,10 @@ use std::fmt::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::{Compared, Validated};
+use super::{Comparison, Validation};
 use archard_case::verdict::four;
 
-impl Validated {
+impl Validation {
     /// How many of the values lie where they were predicted, and how many there are.
     pub fn held(&self) -> [usize; 2] {
         let all = self.outcome.as_deref().unwrap_or_default();
@@ -16,7 +16,7 @@ impl Validated {
 
     /// As JSON, in SI.
     pub fn json(&self) -> Value {
-        let value = |own: &Compared| {
+        let value = |own: &Comparison| {
             json!({
                 "test": own.test, "quantity": own.quantity, "measured": own.measured, "predicted": own.predicted,
                 "relative_half_95": { "data": (own.halves[0] > 0.0).then_some(own.halves[0]), "input": own.halves[1], "numbers": own.halves[2] },
@@ -39,7 +39,7 @@ impl Validated {
 }
 
 /// In words.
-impl fmt::Display for Validated {
+impl fmt::Display for Validation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.set.title)?;
         let all = match &self.outcome {
@@ -68,16 +68,18 @@ impl fmt::Display for Validated {
 }
 
 /// Sets as a page: what was measured, what was predicted, and whether it lies inside.
-pub fn in_markdown(all: &[Validated]) -> String {
+pub fn in_markdown(all: &[Validation]) -> String {
     let mut text = String::new();
     // Into a string nothing can fail.
     let _ = page(&mut text, all);
     text
 }
 
-fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
-    let held =
-        all.iter().map(Validated::held).fold([0, 0], |sum, own| [sum[0] + own[0], sum[1] + own[1]]);
+fn page(text: &mut String, all: &[Validation]) -> fmt::Result {
+    let held = all
+        .iter()
+        .map(Validation::held)
+        .fold([0, 0], |sum, own| [sum[0] + own[0], sum[1] + own[1]]);
     writeln!(
         text,
         "{} of {} measured values lie inside their 95 % intervals.\n",
@@ -141,7 +143,7 @@ struct Shown {
 }
 
 impl Shown {
-    fn of(own: &Compared) -> Self {
+    fn of(own: &Comparison) -> Self {
         let (factor, unit) = own.unit;
         let number = |value: f64| four(value * factor);
         let [low, high] = own.interval().map(number);

@@ -31,7 +31,7 @@ pub struct Set {
     #[serde(default)]
     pub assume: Vec<String>,
     /// Where the coefficients of the case are from; without it each test is predicted by the others.
-    pub coefficient: Option<Given>,
+    pub coefficient: Option<ReportedCoefficients>,
     /// Its folder.
     #[serde(skip)]
     pub dir: PathBuf,
@@ -40,7 +40,7 @@ pub struct Set {
 /// Coefficients that others found.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Given {
+pub struct ReportedCoefficients {
     /// Who found them, and how.
     pub source: String,
     /// Their standard uncertainty, relative.
@@ -67,7 +67,7 @@ impl Set {
             .map_err(|error| format!("{name}: cannot read it: {error}"))?;
         let text = String::from_utf8(bytes).map_err(|_| format!("{name}: no text"))?;
         let set: Self = toml::from_str(&text).map_err(|error| format!("{name}: {error}"))?;
-        if let Some(Given { uncertainty, .. }) = &set.coefficient
+        if let Some(ReportedCoefficients { uncertainty, .. }) = &set.coefficient
             && !(*uncertainty > 0.0 && uncertainty.is_finite())
         {
             return Err(format!(

@@ -6,7 +6,7 @@
 //! from the measured one there: variances are those of White (Econometrica 48 (1980) 817).
 
 use archard_rail::curve::Curve;
-use archard_rail::wear::{Held, WornProfile};
+use archard_rail::wear::{ProfilePoint, WornProfile};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::super::effects::{factor, known_factor};
@@ -173,8 +173,8 @@ fn together(values: &[f64]) -> f64 {
 }
 
 /// The points that a profile reaches.
-fn rows(held: &[Held], zones: Zones) -> Vec<Row> {
-    let row = |held: &Held| {
+fn rows(held: &[ProfilePoint], zones: Zones) -> Vec<Row> {
+    let row = |held: &ProfilePoint| {
         let [y, z] = held.at;
         let [ny, nz] = held.normal;
         let mut columns = vec![0.0; zones.names().len()];

@@ -127,8 +127,8 @@ fn targets(case: &WheelRailCase) -> Result<Vec<Target>, Error> {
     let wheel = &case.wheel;
     let laws = [("wear", &wheel.wear), ("flange_wear", &wheel.flange_wear)];
     let laws = laws.into_iter().filter_map(|(table, law)| Some((table, law.as_ref()?)));
-    let target = |(table, law): (&str, &archard_case::Chosen<_>)| {
-        let law: &archard_case::Chosen<Box<dyn archard::wear::WearLaw>> = law;
+    let target = |(table, law): (&str, &archard_case::ChosenPart<_>)| {
+        let law: &archard_case::ChosenPart<Box<dyn archard::wear::WearLaw>> = law;
         let table = format!("body.{}.{table}.{}", wheel.name, law.choice.name);
         let value = law.values.number("coefficient").filter(|value| *value > 0.0);
         let value = value.ok_or_else(|| {
@@ -180,7 +180,7 @@ fn at(
             Entry::Occupied(run) => run.into_mut(),
             Entry::Vacant(none) => none.insert(runs.run(&settings, own.distance)?),
         };
-        let lay = |worn: &archard_rail::wear::Worn| {
+        let lay = |worn: &archard_rail::wear::WornSide| {
             Laid::of(&worn.wheel, &own.curve, zones).map_err(|why| Error::Reading {
                 table: table.source().to_owned(),
                 line: own.line,

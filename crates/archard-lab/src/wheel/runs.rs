@@ -3,16 +3,16 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::{CaseFile, Prepared, RailError, Running, WheelRailCase};
+use archard_case::{CaseFile, PreparedContact, RailError, WheelRailCase, WheelsetMotion};
 use archard_rail::setup::Side;
-use archard_rail::wear::{Pass, Step, WearError, Worn};
+use archard_rail::wear::{Pass, Step, WearError, WornSide};
 
 use super::super::Error;
-use super::super::runs::Following;
+use super::super::runs::RunFollower;
 use super::wheel_of;
 
 /// The sides of a route as they wore, by its three passes, the finest first.
-pub(super) type Run = [Vec<Worn>; 3];
+pub(super) type Run = [Vec<WornSide>; 3];
 
 /// What is shown each step of a route.
 type Watch<'w> = &'w mut dyn FnMut(Pass, &Step<'_>) -> ControlFlow<()>;
@@ -20,9 +20,9 @@ type Watch<'w> = &'w mut dyn FnMut(Pass, &Step<'_>) -> ControlFlow<()>;
 /// Runs a route.
 pub(super) struct Runs<'a> {
     file: &'a CaseFile,
-    following: &'a mut dyn Following,
+    following: &'a mut dyn RunFollower,
     /// How the wheelset runs, over points in place of the steps of a history.
-    running: Running,
+    running: WheelsetMotion,
     /// What those points lose, relative to all work of friction.
     pub lost: f64,
     /// Number of runs so far.
@@ -39,7 +39,7 @@ impl<'a> Runs<'a> {
     pub fn of(
         file: &'a CaseFile,
         case: &WheelRailCase,
-        following: &'a mut dyn Following,
+        following: &'a mut dyn RunFollower,
     ) -> Result<Self, Error> {
         let prepared = prepared(file, case)?;
         let on_a_route = prepared.on_a_route();
@@ -59,7 +59,8 @@ impl<'a> Runs<'a> {
     /// What is doubtful about the route of the case with values (1/Pa) at keys, in words.
     pub fn doubts(&mut self, settings: &[(&str, f64)]) -> Result<Vec<String>, Error> {
         let (mut prepared, described) = self.prepared(settings)?;
-        prepared.running = Running { distance: prepared.running.distance, ..self.running.clone() };
+        prepared.running =
+            WheelsetMotion { distance: prepared.running.distance, ..self.running.clone() };
         let found = self.follow(described, |watch| prepared.solve(watch))?;
         let verdict = found.verdict();
         Ok(verdict.complaints().map(ToString::to_string).collect())
@@ -68,14 +69,14 @@ impl<'a> Runs<'a> {
     /// The wheels after a distance (m) with values (1/Pa) at keys.
     pub fn run(&mut self, settings: &[(&str, f64)], distance: f64) -> Result<Run, Error> {
         let (mut prepared, described) = self.prepared(settings)?;
-        prepared.running = Running { distance: Some(distance), ..self.running.clone() };
+        prepared.running = WheelsetMotion { distance: Some(distance), ..self.running.clone() };
         let described = format!("{described}, {distance:.4e} m");
         let travelled = self.follow(described, |watch| prepared.travel(watch))?;
         Ok([travelled.worn, travelled.coarse, travelled.hasty])
     }
 
     /// The case with values (1/Pa) at keys, and these in words.
-    fn prepared(&self, settings: &[(&str, f64)]) -> Result<(Prepared, String), Error> {
+    fn prepared(&self, settings: &[(&str, f64)]) -> Result<(PreparedContact, String), Error> {
         let put = |(key, value): &(&str, f64)| format!("{key}={value:e} 1/Pa");
         let described = |(key, value): &(&str, f64)| format!("{key} = {value:.4e} 1/Pa");
         let described: Vec<String> = settings.iter().map(described).collect();
@@ -113,6 +114,6 @@ impl<'a> Runs<'a> {
     }
 }
 
-fn prepared(file: &CaseFile, case: &WheelRailCase) -> Result<Prepared, Error> {
+fn prepared(file: &CaseFile, case: &WheelRailCase) -> Result<PreparedContact, Error> {
     case.prepare().map_err(|problem| Error::Mismatch(file.describe(&problem)))
 }

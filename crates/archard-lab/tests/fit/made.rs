@@ -8,7 +8,7 @@ use archard::simulation::history::{self, number};
 use archard::simulation::{Observer, Report};
 use archard_case::CaseFile;
 use archard_case::measured::Table;
-use archard_lab::{Coefficient, Error, Files, Fit, Following, Request, fit};
+use archard_lab::{Coefficient, Error, Files, Fit, Request, RunFollower, fit};
 
 use super::framed;
 
@@ -85,7 +85,7 @@ impl Made<'_> {
 /// Ends a fit at the first step of a run.
 pub struct Until(pub Option<usize>, pub Vec<Option<f64>>);
 
-impl Following for Until {
+impl RunFollower for Until {
     fn begins(&mut self, run: usize, _: &str) {
         if self.0 == Some(run) {
             self.0 = Some(0);
@@ -133,7 +133,7 @@ pub fn fitted_in(
     dir: &Path,
     file: &CaseFile,
     (text, parameter): (&str, Option<&str>),
-    following: &mut dyn Following,
+    following: &mut dyn RunFollower,
 ) -> Result<Fit, Error> {
     let table = Table::read("tests.csv", text.as_bytes()).unwrap();
     let files = Files { folder: dir, columns: &[] };

@@ -4,13 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::made::Until;
-use archard_lab::validate::{Set, Validated, validate};
+use archard_lab::validate::{Set, Validation, validate};
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation").join(name)
 }
 
-fn validated(name: &str) -> Validated {
+fn validated(name: &str) -> Validation {
     let dir = folder(name);
     let runs = tempfile::tempdir().unwrap();
     let found =

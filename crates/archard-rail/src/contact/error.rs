@@ -52,7 +52,7 @@ pub enum ContactError {
     NoRoll,
     /// The parts of a contact do not fit together.
     #[error(transparent)]
-    Refused(#[from] archard::simulation::Refused),
+    Refused(#[from] archard::simulation::Refusals),
     /// A contact could not be solved.
     #[error(transparent)]
     Unsolved(#[from] archard::simulation::Error),

@@ -8,7 +8,7 @@ use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
 use archard::motion::{Control, Drive, Drives, Rolling};
-use archard::simulation::{Builder, Refused};
+use archard::simulation::{Builder, Refusals};
 use archard::{Body, Contact, ContactFrame};
 
 use super::lattice::Lattice;
@@ -265,13 +265,13 @@ impl Site {
     ) -> Result<Builder, ContactError> {
         let Lattice { rectangle, elements, .. } = self.lattice;
         let frame = ContactFrame::uniform(rectangle, elements, [&self.lattice, &Flat]);
-        let frame = frame.map_err(Refused::from)?.closed();
+        let frame = frame.map_err(Refusals::from)?.closed();
         let compliance = HalfSpace::new([Some(&bodies.wheel), Some(&bodies.rail)], &frame);
         let mut wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
         let mut rail = Body::new("rail", Flat).material(bodies.rail);
         [wheel.wear, rail.wear] = wear.clone();
         [wheel.thermal, rail.thermal] = bodies.thermal;
         let rolls = Contact::rolling([wheel, rail], rolling, Control::Approach(approach));
-        Ok(rolls.map_err(Refused::from)?.contact(frame, compliance))
+        Ok(rolls.map_err(Refusals::from)?.contact(frame, compliance))
     }
 }

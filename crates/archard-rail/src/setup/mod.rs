@@ -13,7 +13,7 @@ mod wheelset;
 pub use roller::Roller;
 pub(crate) use roller::Turned;
 pub use side::Side;
-pub use track::{Placing, Track};
+pub use track::{RailPlacement, Track};
 pub use wheelset::{Attitude, Velocity, Wheelset};
 
 use glam::DVec3;
@@ -41,7 +41,7 @@ fn short(parameter: &'static str, curve: &Curve) -> Result<(), Invalid> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setup {
     rail: Curve,
-    placing: Placing,
+    placing: RailPlacement,
     wheel: Curve,
     wheelset: Wheelset,
     roller: Roller,
@@ -92,7 +92,7 @@ impl Setup {
     }
 
     fn standing(
-        placing: Placing,
+        placing: RailPlacement,
         rail: &Curve,
         wheelset: Wheelset,
         wheel: &Curve,
@@ -124,7 +124,7 @@ impl Setup {
     }
 
     /// Where the profile of the rail stands.
-    pub fn placing(&self) -> &Placing {
+    pub fn placing(&self) -> &RailPlacement {
         &self.placing
     }
 

@@ -28,7 +28,7 @@ impl Track {
     ///
     /// # Errors
     /// If a length is not greater than zero, or the cant not below a right angle.
-    pub fn place(&self, rail: &Curve) -> Result<Placing, Invalid> {
+    pub fn place(&self, rail: &Curve) -> Result<RailPlacement, Invalid> {
         let half = bounds::positive("gauge", self.gauge)? / 2.0;
         let depth = bounds::positive("gauge_height", self.gauge_height)?;
         let angle = -bounds::within("cant", self.cant, std::f64::consts::FRAC_PI_2)?;
@@ -44,20 +44,20 @@ impl Track {
                     if point[1] <= top + depth { point[0] } else { f64::INFINITY }
                 },
             );
-        Ok(Placing { angle, origin: [half - inner, -top] })
+        Ok(RailPlacement { angle, origin: [half - inner, -top] })
     }
 }
 
 /// Where the profile of a rail stands in the track.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placing {
+pub struct RailPlacement {
     /// The turn (rad) of the profile about x, from y towards z: minus the cant.
     pub angle: f64,
     /// y and z (m) of the origin of the profile in the track.
     pub origin: [f64; 2],
 }
 
-impl Placing {
+impl RailPlacement {
     /// The rail in the track.
     pub fn curve(&self, rail: &Curve) -> Curve {
         rail.clone().moved(self.angle, self.origin)

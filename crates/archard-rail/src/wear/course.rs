@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Journey, Travelled, Worn, error_of};
+use super::{Journey, RouteResult, WornSide, error_of};
 use crate::flange::Flange;
 use crate::setup::Side;
 
@@ -13,7 +13,7 @@ pub const CONICITY: &str = "equivalent_conicity";
 /// The columns that are not a number unless they are asked for.
 pub const ASKED: [&str; 3] = ["wheel_crack_damage", "rail_crack_damage", CONICITY];
 
-/// The names of what is told of a side, each with its unit, in the order of [`Told::values`].
+/// The names of what is told of a side, each with its unit, in the order of [`SideCourse::values`].
 ///
 /// Of the wheel the worn area of its section, its worn volume, its largest depth, the depth at the datum of the tread (y = 0), height,
 /// thickness and gradient of the [`Flange`], and what turning the new profile again costs of the radius; of the rail the worn area and the
@@ -37,7 +37,7 @@ pub const COLUMNS: [&str; 13] = [
 
 /// What is told of a side at a share of the distance.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Told {
+pub struct SideCourse {
     /// Share of the distance that is behind.
     pub progress: f64,
     /// The side.
@@ -50,14 +50,14 @@ pub struct Told {
 
 impl Journey {
     /// What turning costs (m) for each change of the flange.
-    pub(super) fn thinned(&self, worn: &Worn) -> Vec<f64> {
+    pub(super) fn thinned(&self, worn: &WornSide) -> Vec<f64> {
         let cost = |thinner: &f64| worn.wheel.thinning_depth(self.setup.wheel(), *thinner);
         self.thinnings.par_iter().map(cost).collect()
     }
 
     /// What is told of a side by all of [`COLUMNS`] but the last.
-    pub(super) fn told(&self, worn: &Worn) -> Vec<f64> {
-        let Worn { wheel, rail, .. } = worn;
+    pub(super) fn told(&self, worn: &WornSide) -> Vec<f64> {
+        let WornSide { wheel, rail, .. } = worn;
         let deepest = |depths: &[f64]| depths.iter().copied().fold(0.0, f64::max);
         let flange = Flange::of(wheel.curve(), self.setup.wheelset().flange_back_position);
         let flange = flange.map_or([f64::NAN; 3], |of| [of.height, of.thickness, of.gradient]);
@@ -83,11 +83,11 @@ impl Journey {
     }
 }
 
-impl Travelled {
+impl RouteResult {
     /// What is told after each step as asked for, and the errors of the values.
-    pub fn course(&self) -> Vec<(Told, Vec<f64>)> {
+    pub fn course(&self) -> Vec<(SideCourse, Vec<f64>)> {
         let [fine, coarse, hasty] = &self.told;
-        let with_errors = |told: &Told| {
+        let with_errors = |told: &SideCourse| {
             let [coarse, hasty] = [coarse, hasty].map(|course| at(course, told));
             let error = |at: usize| error_of([told.values[at], coarse[at], hasty[at]]);
             let errors = (0..told.values.len()).map(error).collect();
@@ -98,8 +98,8 @@ impl Travelled {
 }
 
 /// The values of a course at the progress of another, straight between its steps.
-fn at(course: &[Told], wanted: &Told) -> Vec<f64> {
-    let own: Vec<&Told> = course.iter().filter(|told| told.side == wanted.side).collect();
+fn at(course: &[SideCourse], wanted: &SideCourse) -> Vec<f64> {
+    let own: Vec<&SideCourse> = course.iter().filter(|told| told.side == wanted.side).collect();
     let after = own.partition_point(|told| told.progress < wanted.progress).min(own.len() - 1);
     let (before, after) = (own[after.saturating_sub(1)], own[after]);
     let width = after.progress - before.progress;

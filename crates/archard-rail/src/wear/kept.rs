@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::march::Place;
-use super::{Pass, Told};
+use super::{Pass, SideCourse};
 
 /// All that a route needs to go on: the end of the passes that are behind, and the place on the one that is under way. It belongs to the journey that
 /// it is of; [`Journey::go_on`](super::Journey::go_on) takes the same steps from there on.
@@ -12,7 +12,7 @@ pub struct Kept {
     /// The place on each pass, in their order.
     pub(super) places: Vec<Place>,
     /// What was told after each step of each pass.
-    pub(super) told: [Vec<Told>; 3],
+    pub(super) told: [Vec<SideCourse>; 3],
 }
 
 impl Kept {
@@ -25,7 +25,12 @@ impl Kept {
     }
 
     /// Takes a step in.
-    pub(super) fn take(&mut self, pass: Pass, place: &Place, told: impl Iterator<Item = Told>) {
+    pub(super) fn take(
+        &mut self,
+        pass: Pass,
+        place: &Place,
+        told: impl Iterator<Item = SideCourse>,
+    ) {
         self.told[pass as usize].extend(told);
         match self.places.get_mut(pass as usize) {
             Some(own) => own.clone_from(place),

@@ -1,6 +1,6 @@
 //! Limits of wheels in service, and how far a wheel runs until it reaches one.
 
-use super::{COLUMNS, Told, Travelled, error_of};
+use super::{COLUMNS, RouteResult, SideCourse, error_of};
 use crate::setup::Side;
 
 /// A bound of one of the [`COLUMNS`].
@@ -32,7 +32,7 @@ impl Limit {
     }
 
     /// The share of the distance at which a course reaches it, straight between its steps; `None` where it does not.
-    fn reached(&self, course: &[Told], side: Side) -> Option<f64> {
+    fn reached(&self, course: &[SideCourse], side: Side) -> Option<f64> {
         let at = COLUMNS.iter().position(|column| *column == self.column)?;
         let own = course.iter().filter(|told| told.side == side);
         // A conicity is not a number where the wheelset does not steer itself back.
@@ -47,7 +47,7 @@ impl Limit {
     }
 }
 
-impl Travelled {
+impl RouteResult {
     /// The share of the distance at which a side reaches a limit, and its error: what half the elements and steps about twice as long
     /// change in it, infinite where the wheel does not reach it then. `None` where it is not reached.
     pub fn life(&self, limit: &Limit, side: Side) -> Option<[f64; 2]> {
@@ -67,7 +67,7 @@ impl Travelled {
 
 #[cfg(test)]
 mod tests {
-    use super::{COLUMNS, Limit, Side, Told};
+    use super::{COLUMNS, Limit, Side, SideCourse};
     use crate::wear::CONICITY;
 
     /// A conicity of 0.1, then none, then 0.3: straight over what is not a number.
@@ -76,7 +76,7 @@ mod tests {
         let told = |(progress, conicity): (f64, f64)| {
             let mut values = vec![0.0; COLUMNS.len()];
             values[COLUMNS.len() - 1] = conicity;
-            Told { progress, side: Side::Right, values, thinner: vec![] }
+            SideCourse { progress, side: Side::Right, values, thinner: vec![] }
         };
         let course = [(0.0, 0.1), (0.5, f64::NAN), (1.0, 0.3)].map(told);
         let limit = Limit { column: CONICITY, value: 0.2, below: false };

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::kept::Kept;
 use super::rates::{Depths, Rates};
 use super::worn_profile::Lost;
-use super::{Journey, WearError, Worn, WornProfile};
+use super::{Journey, WearError, WornProfile, WornSide};
 
 /// How steps change: the usual choice of codes for differential equations (Hairer, Norsett and Wanner 1993, II.4).
 const CAUTION: Caution = Caution { aim: 0.8, change: [0.2, 5.0], again: 1.0, failed: 0.2 };
@@ -24,14 +24,14 @@ pub struct Step<'a> {
     /// Share of the distance that is behind.
     pub progress: f64,
     /// The profiles.
-    pub worn: &'a [Worn],
+    pub worn: &'a [WornSide],
     /// All that the route needs to go on from here.
     pub kept: &'a Kept,
 }
 
 /// Where a route has led to.
 pub(super) struct Gone {
-    pub worn: Vec<Worn>,
+    pub worn: Vec<WornSide>,
     /// Steps taken.
     pub steps: usize,
     /// How far loads were off, the mean over the route, at the worst step.
@@ -52,7 +52,7 @@ pub(super) struct Place {
 
 impl Place {
     /// The profiles that have lost so much.
-    pub(super) fn worn(&self, unworn: &[Worn]) -> Result<Vec<Worn>, WearError> {
+    pub(super) fn worn(&self, unworn: &[WornSide]) -> Result<Vec<WornSide>, WearError> {
         advanced(unworn, &[(&self.lost, 1.0)])
     }
 }
@@ -62,7 +62,7 @@ impl Journey {
     pub(super) fn march(
         &self,
         from: Option<Place>,
-        mut watch: impl FnMut(&Place, &[Worn]) -> ControlFlow<()>,
+        mut watch: impl FnMut(&Place, &[WornSide]) -> ControlFlow<()>,
     ) -> Result<Gone, WearError> {
         let unworn = self.unworn()?;
         let mut place = from.unwrap_or_else(|| Place {
@@ -92,10 +92,10 @@ impl Journey {
     /// The profiles after the longest step from a place that is let pass, with the rates there; the place moves with them.
     fn step(
         &self,
-        worn: &[Worn],
+        worn: &[WornSide],
         first: &Rates,
         place: &mut Place,
-    ) -> Result<Vec<Worn>, WearError> {
+    ) -> Result<Vec<WornSide>, WearError> {
         let Place { progress, control, .. } = place;
         let left = 1.0 - *progress;
         loop {
@@ -144,24 +144,26 @@ impl Journey {
 }
 
 /// What profiles have lost.
-fn lost(worn: &[Worn]) -> Vec<[Lost; 2]> {
+fn lost(worn: &[WornSide]) -> Vec<[Lost; 2]> {
     worn.iter().map(|one| one.profiles().map(WornProfile::lost)).collect()
 }
 
 /// The profiles after rates lasted for so long each.
-fn advanced(worn: &[Worn], rates: &[(&Rates, f64)]) -> Result<Vec<Worn>, WearError> {
+fn advanced(worn: &[WornSide], rates: &[(&Rates, f64)]) -> Result<Vec<WornSide>, WearError> {
     let after = |one: usize, body: usize| {
         let lost: Vec<_> =
             rates.iter().map(|(rates, length)| (&rates[one][body], *length)).collect();
         worn[one].profiles()[body].after(&lost)
     };
     (0..worn.len())
-        .map(|one| Ok(Worn { side: worn[one].side, wheel: after(one, 0)?, rail: after(one, 1)? }))
+        .map(|one| {
+            Ok(WornSide { side: worn[one].side, wheel: after(one, 0)?, rail: after(one, 1)? })
+        })
         .collect()
 }
 
 /// The size of volumes at the points of all profiles: the root of the sum of the squares of their depths.
-fn norm(worn: &[Worn], volumes: impl Fn(usize, usize) -> Vec<f64>) -> f64 {
+fn norm(worn: &[WornSide], volumes: impl Fn(usize, usize) -> Vec<f64>) -> f64 {
     let squares = |one: usize, body: usize| {
         let depths = worn[one].profiles()[body].as_depths(&volumes(one, body));
         depths.iter().map(|depth| depth * depth).sum::<f64>()

@@ -14,7 +14,7 @@ const REACH: f64 = 10e-3;
 
 /// A point of an unworn profile, what was computed there, and where a measured profile lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Held {
+pub struct ProfilePoint {
     /// y and z (m) of the unworn profile.
     pub at: [f64; 2],
     /// Unit vector out of the material.
@@ -27,10 +27,10 @@ pub struct Held {
 
 impl WornProfile {
     /// Each point against a measured profile (m).
-    pub fn against(&self, measured: &Curve) -> Vec<Held> {
+    pub fn against(&self, measured: &Curve) -> Vec<ProfilePoint> {
         let places = measured.samples(APART);
         let way: Vec<[f64; 2]> = places.into_iter().map(|along| measured.point(along)).collect();
-        let of = |((at, normal), depth): (([f64; 2], [f64; 2]), f64)| Held {
+        let of = |((at, normal), depth): (([f64; 2], [f64; 2]), f64)| ProfilePoint {
             at,
             normal,
             depth,
@@ -69,7 +69,7 @@ mod tests {
         let gone = new.unworn().points.into_iter().zip(&thin);
         let worn = new.worn_to(gone.map(|([y, _], thin)| depth(y) / thin).collect()).unwrap();
         let measured = Curve::new(&worn.profile().points, Smoothing::NONE).unwrap();
-        let inner = |held: &&super::Held| (-25e-3..15e-3).contains(&held.at[0]);
+        let inner = |held: &&super::ProfilePoint| (-25e-3..15e-3).contains(&held.at[0]);
         let held = worn.against(&measured);
         assert!(held.iter().filter(inner).count() > 100);
         for held in held.iter().filter(inner) {

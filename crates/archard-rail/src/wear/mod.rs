@@ -12,7 +12,7 @@
 //!
 //! The route is gone through three times: as asked for, on half of the elements, and on half of the elements with steps about twice as
 //! long. A value has the error of its grid, at most the difference of the first two, and that of its steps, at most that of the last two:
-//! [`Travelled::error`] is the sum of both. It holds for the profiles, the route, the smoothing and the wear law as given.
+//! [`RouteResult::error`] is the sum of both. It holds for the profiles, the route, the smoothing and the wear law as given.
 
 mod course;
 mod cracks;
@@ -27,14 +27,14 @@ mod turning;
 mod work;
 mod worn_profile;
 
-pub use course::{ASKED, COLUMNS, CONICITY, Told};
+pub use course::{ASKED, COLUMNS, CONICITY, SideCourse};
 pub use cracks::Cracks;
 pub use kept::Kept;
 pub use limits::Limit;
 pub use march::Step;
-pub use measured::Held;
-pub use thinner::{Economy, Thicknesses, Turned};
-pub use turning::{Plan, Turning};
+pub use measured::ProfilePoint;
+pub use thinner::{Economy, ReprofilingCut, Thicknesses};
+pub use turning::{Plan, Reprofiling};
 pub use worn_profile::WornProfile;
 
 use std::ops::ControlFlow;
@@ -147,7 +147,7 @@ pub struct Journey {
 
 /// Wheel and rail of a side.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Worn {
+pub struct WornSide {
     /// The side.
     pub side: Side,
     /// Its wheel.
@@ -156,7 +156,7 @@ pub struct Worn {
     pub rail: WornProfile,
 }
 
-impl Worn {
+impl WornSide {
     /// Wheel and rail.
     pub fn profiles(&self) -> [&WornProfile; 2] {
         [&self.wheel, &self.rail]
@@ -209,20 +209,20 @@ pub enum WearError {
 
 /// What a route left.
 #[derive(Debug, Clone)]
-pub struct Travelled {
+pub struct RouteResult {
     /// As asked for.
-    pub worn: Vec<Worn>,
+    pub worn: Vec<WornSide>,
     /// On half of the elements.
-    pub coarse: Vec<Worn>,
+    pub coarse: Vec<WornSide>,
     /// On half of the elements, with longer steps.
-    pub hasty: Vec<Worn>,
+    pub hasty: Vec<WornSide>,
     /// Steps taken as asked for.
     pub steps: usize,
     /// How far what wheels bore was off their load, relative to it: the mean over the route, at the worst step. It jumps where
     /// stretches of overlap become one patch.
     pub off: f64,
     /// What is told after each step of the three, in the same order.
-    told: [Vec<Told>; 3],
+    told: [Vec<SideCourse>; 3],
 }
 
 /// The error of a value that was found as asked for, on half of the elements, and there with longer steps: that of the grid and that of
@@ -231,9 +231,9 @@ pub fn error_of([fine, coarse, hasty]: [f64; 3]) -> f64 {
     (fine - coarse).abs() + (coarse - hasty).abs()
 }
 
-impl Travelled {
+impl RouteResult {
     /// The error of a value that is read off the profiles.
-    pub fn error(&self, value: impl Fn(&[Worn]) -> f64) -> f64 {
+    pub fn error(&self, value: impl Fn(&[WornSide]) -> f64) -> f64 {
         error_of([&self.worn, &self.coarse, &self.hasty].map(|worn| value(worn)))
     }
 }
@@ -277,7 +277,7 @@ impl Journey {
     pub fn travel(
         &self,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
-    ) -> Result<Travelled, WearError> {
+    ) -> Result<RouteResult, WearError> {
         self.go_on(Kept::default(), watch)
     }
 
@@ -289,7 +289,7 @@ impl Journey {
         &self,
         mut kept: Kept,
         mut watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
-    ) -> Result<Travelled, WearError> {
+    ) -> Result<RouteResult, WearError> {
         let Self { route, resolution, .. } = self.clone().checked()?;
         let Resolution { elements, .. } = resolution;
         if self.bodies.wear.iter().all(Option::is_none) {
@@ -306,7 +306,7 @@ impl Journey {
             journey.march(from, |place, worn| {
                 let progress = place.progress;
                 let conicity = journey.conicity(worn);
-                let told = worn.iter().map(|one| Told {
+                let told = worn.iter().map(|one| SideCourse {
                     progress,
                     side: one.side,
                     values: [journey.told(one), vec![conicity]].concat(),
@@ -322,7 +322,7 @@ impl Journey {
         let coarse = pass(Pass::Coarse, elements / 2, self.tolerance)?;
         let fine = pass(Pass::Fine, elements, self.tolerance)?;
         let [of_hasty, of_coarse, told] = kept.told;
-        Ok(Travelled {
+        Ok(RouteResult {
             worn: fine.worn,
             coarse: coarse.worn,
             hasty: hasty.worn,
@@ -333,8 +333,8 @@ impl Journey {
     }
 
     /// The equivalent conicity of worn profiles; not a number where nobody asks for it, or the wheelset does not steer itself back.
-    fn conicity(&self, worn: &[Worn]) -> f64 {
-        let setup = |one: &Worn| self.setup.worn(one.rail.curve(), one.wheel.curve());
+    fn conicity(&self, worn: &[WornSide]) -> f64 {
+        let setup = |one: &WornSide| self.setup.worn(one.rail.curve(), one.wheel.curve());
         let of = |amplitude| {
             let setups: Vec<Setup> = worn.iter().map(setup).collect();
             equivalent_conicity(Side::both(&self.sides, &setups), amplitude).ok()
@@ -346,11 +346,11 @@ impl Journey {
     ///
     /// # Errors
     /// If the wheel reaches to its axle.
-    pub fn unworn(&self) -> Result<Vec<Worn>, Invalid> {
+    pub fn unworn(&self) -> Result<Vec<WornSide>, Invalid> {
         let rail = WornProfile::rail(&self.setup.rail_in_its_coordinates(), self.smoothing)?;
         let radius = self.setup.wheelset().nominal_radius;
         let wheel = WornProfile::wheel(self.setup.wheel(), radius, self.smoothing)?;
-        let of = |&side: &Side| Worn { side, wheel: wheel.clone(), rail: rail.clone() };
+        let of = |&side: &Side| WornSide { side, wheel: wheel.clone(), rail: rail.clone() };
         Ok(self.sides.iter().map(of).collect())
     }
 }

@@ -5,7 +5,7 @@ use archard::wear::Input;
 use rayon::prelude::*;
 
 use super::worn_profile::{Before, Lost, Strip};
-use super::{Journey, OperatingPoint, WearError, Worn};
+use super::{Journey, OperatingPoint, WearError, WornSide};
 use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution, Wear};
 use crate::setup::{Setup, Side};
 
@@ -69,7 +69,7 @@ impl Journey {
     /// The rates with the profiles as they are, at a share of the distance, and how far loads are off, the mean over the route.
     pub(super) fn rates(
         &self,
-        worn: &[Worn],
+        worn: &[WornSide],
         progress: f64,
         depths: &mut Depths,
     ) -> Result<(Rates, f64), WearError> {
@@ -87,7 +87,7 @@ impl Journey {
             })
         });
         let strips = strips.collect::<Vec<Result<AtPoint, _>>>();
-        let none = |one: &Worn| {
+        let none = |one: &WornSide| {
             [&one.wheel, &one.rail].map(|profile| {
                 let nothing = vec![0.0; profile.len()];
                 Lost { volume: nothing.clone(), slid: nothing.clone(), damage: nothing }

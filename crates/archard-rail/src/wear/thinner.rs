@@ -7,7 +7,7 @@
 //!
 //! A profile with a thinner flange wears here as the new one does. It has more play in its track: the shifts of a route may differ.
 
-use super::{COLUMNS, Told, Travelled, Turning, WornProfile, error_of};
+use super::{COLUMNS, Reprofiling, RouteResult, SideCourse, WornProfile, error_of};
 use crate::curve::Curve;
 use crate::roots;
 use crate::setup::Side;
@@ -43,7 +43,7 @@ impl Thicknesses {
 
 /// A turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turned {
+pub struct ReprofilingCut {
     /// Share of the distance that a wheel of the new radius would have run since the turning before.
     pub interval: f64,
     /// What it costs (m) of the radius, the allowance with it.
@@ -56,7 +56,7 @@ pub struct Turned {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Economy {
     /// Its turnings.
-    pub turnings: Vec<Turned>,
+    pub turnings: Vec<ReprofilingCut>,
     /// How far it runs in all, in shares of the distance, and the error of that.
     pub life: [f64; 2],
     /// The same where each turning restores the whole flange.
@@ -99,20 +99,20 @@ impl WornProfile {
 }
 
 /// The course of a side with places between its steps.
-fn course(told: &[Told], side: Side) -> Vec<Place> {
+fn course(told: &[SideCourse], side: Side) -> Vec<Place> {
     let column = |name: &str| COLUMNS.iter().position(|own| *own == name);
     let (Some(tread), Some(thick)) = (column("tread_depth_m"), column("flange_thickness_m")) else {
         return vec![];
     };
-    let own: Vec<&Told> = told.iter().filter(|told| told.side == side).collect();
+    let own: Vec<&SideCourse> = told.iter().filter(|told| told.side == side).collect();
     let Some(first) = own.first() else { return vec![] };
-    let place = |told: &Told| Place {
+    let place = |told: &SideCourse| Place {
         progress: told.progress,
         tread: told.values[tread],
         worn: first.values[thick] - told.values[thick],
         costs: told.thinner.clone(),
     };
-    let between = |pair: &[&Told]| {
+    let between = |pair: &[&SideCourse]| {
         let [one, other] = [place(pair[0]), place(pair[1])];
         let at = move |part: usize| one.towards(&other, part as f64 / PARTS as f64);
         (1..=PARTS).map(at).collect::<Vec<_>>()
@@ -133,12 +133,12 @@ impl Place {
     }
 }
 
-impl Travelled {
+impl RouteResult {
     /// The best use of the wheel of a side that is turned to one of those thicknesses each time, and reaches its other limits at those
     /// shares of the distance in the three runs, in the order of [`error_of`]; `None` where it cannot run.
     pub fn economy(
         &self,
-        turning: &Turning,
+        turning: &Reprofiling,
         thicknesses: &Thicknesses,
         side: Side,
         until: [f64; 3],
@@ -161,8 +161,12 @@ impl Travelled {
 }
 
 /// How far a wheel runs at best, and its turnings.
-fn best(turning: &Turning, thicknesses: &Thicknesses, places: &[Place]) -> (f64, Vec<Turned>) {
-    let Turning { radius, last_radius, allowance } = *turning;
+fn best(
+    turning: &Reprofiling,
+    thicknesses: &Thicknesses,
+    places: &[Place],
+) -> (f64, Vec<ReprofilingCut>) {
+    let Reprofiling { radius, last_radius, allowance } = *turning;
     let unit = (radius - last_radius) / RADII as f64;
     let count = thicknesses.thinner + 1;
     let thickness = |index: usize| thicknesses.new - index as f64 * thicknesses.step;
@@ -202,7 +206,7 @@ fn best(turning: &Turning, thicknesses: &Thicknesses, places: &[Place]) -> (f64,
     while let Some((at, Some((after, next)))) = all[left][now].choice {
         let place = &places[at];
         let middle = place.costs.len() / 2;
-        turnings.push(Turned {
+        turnings.push(ReprofilingCut {
             interval: place.progress,
             depth: place.costs[middle + next - now] + allowance,
             thickness: thickness(next),
@@ -219,7 +223,7 @@ mod tests {
     use super::{Place, Thicknesses, best};
     use crate::curve::Smoothing;
     use crate::standard::wheel_s1002;
-    use crate::wear::{Turning, WornProfile};
+    use crate::wear::{Reprofiling, WornProfile};
 
     /// The flank of S1002 has a slope of 2.7475, the tread one of 0.0336 at its datum: a flange that is thicker by t lies deeper by their
     /// difference. One that is thinner lies within the wheel, but for the bend of the tread.
@@ -240,7 +244,7 @@ mod tests {
     /// thinner costs 1 mm until it is as thin as it may be, and runs so twice more before it does.
     #[test]
     fn thin_flanges_save_radius() {
-        let turning = Turning { radius: 1.0, last_radius: 0.99, allowance: 0.0 };
+        let turning = Reprofiling { radius: 1.0, last_radius: 0.99, allowance: 0.0 };
         // The cost of a flange that is so much thinner than the one that wore, for -2 .. 2 mm.
         let cost = |thinner: f64| f64::max(1e-3, 3e-3 - 3.0 * thinner);
         let changes = [-2e-3, -1e-3, 0.0, 1e-3, 2e-3];

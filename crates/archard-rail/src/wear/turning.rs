@@ -4,7 +4,7 @@
 //! what is left of the wheel: its radius is smaller by the largest distance, towards the axle, of the worn profile from the new one. A
 //! flange of inclination d that wears by n along its normal costs n / cos d there, so that a thin flange costs several times its wear.
 
-use super::{Travelled, WornProfile, error_of};
+use super::{RouteResult, WornProfile, error_of};
 use crate::curve::Curve;
 use crate::flange;
 use crate::roots;
@@ -40,7 +40,7 @@ impl WornProfile {
 
 /// When wheels are turned again.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning {
+pub struct Reprofiling {
     /// Radius (m) of a new wheel.
     pub radius: f64,
     /// Radius (m) down to which it stays in service.
@@ -65,7 +65,7 @@ pub struct Plan {
 /// A step of a course: its progress, what turning costs (m) then, and the depth (m) at the datum of the tread.
 type At = [f64; 3];
 
-impl Turning {
+impl Reprofiling {
     /// How many times a wheel is turned that costs so much each time: the radius of the last run begins and ends above the last one.
     fn turnings(&self, [_, depth, tread]: At) -> Option<usize> {
         let spare = self.radius - self.last_radius - tread;
@@ -126,17 +126,17 @@ fn between(course: &[At], progress: f64) -> Option<At> {
     Some([0, 1, 2].map(|value| one[value] + share * (other[value] - one[value])))
 }
 
-impl Travelled {
+impl RouteResult {
     /// What it takes of a wheel to turn it after the shares of the distance at which the three runs reach something, in the order of
     /// [`error_of`]; `None` where the wheel does not last till then. Errors are infinite where not all of them get so far.
-    pub fn plan(&self, turning: &Turning, side: Side, at: [f64; 3]) -> Option<Plan> {
+    pub fn plan(&self, turning: &Reprofiling, side: Side, at: [f64; 3]) -> Option<Plan> {
         let courses = self.turned(side);
         turning.plan([0, 1, 2].map(|run| between(&courses[run], at[run])))
     }
 
     /// The plan that costs least of the radius on each metre, up to that share of the distance: its interval is a choice, which has no
     /// error.
-    pub fn cheapest_plan(&self, turning: &Turning, side: Side, until: f64) -> Option<Plan> {
+    pub fn cheapest_plan(&self, turning: &Reprofiling, side: Side, until: f64) -> Option<Plan> {
         let courses = self.turned(side);
         let [at, ..] = turning.cheapest(&courses[0], until)?;
         turning.plan([0, 1, 2].map(|run| between(&courses[run], at)))
@@ -158,7 +158,7 @@ impl Travelled {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Turning, WornProfile};
+    use super::{Reprofiling, WornProfile};
     use crate::curve::{Curve, Smoothing};
 
     /// A straight flank of that inclination, from the field side down to a tip at y = 0 and up again behind it.
@@ -196,7 +196,7 @@ mod tests {
     /// 460 to 430 mm, 2 mm of them on the tread before it is turned, is turned 5 times and runs 6 times, the less the smaller it is.
     #[test]
     fn a_plan_is_that_of_its_sums() {
-        let turning = Turning { radius: 0.46, last_radius: 0.43, allowance: 0.5e-3 };
+        let turning = Reprofiling { radius: 0.46, last_radius: 0.43, allowance: 0.5e-3 };
         let course = (0..=1000).map(|at| 1e-3 * f64::from(at));
         let course: Vec<_> = course.map(|s| [s, 1e-3 * s + 2e-3 * s * s, 2e-3]).collect();
         let cheapest = turning.cheapest(&course, 1.0).unwrap();

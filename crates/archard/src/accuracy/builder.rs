@@ -1,6 +1,6 @@
 //! A simulation from its parts, on the elements that an accuracy takes.
 
-use super::{Grid, Settled, TOLERANCE, Unsettled, Watch, admitted, refusal, settle};
+use super::{AccuracyFailure, Grid, SettledRun, TOLERANCE, Watch, admitted, refusal, settle};
 use crate::motion::Stepping;
 use crate::parameters::Invalid;
 use crate::simulation::Builder;
@@ -34,8 +34,12 @@ impl Builder {
     /// # Errors
     /// If parts do not fit together, a coarser run fails, or the builder can not make the parts coarser: pairs that are given, steps
     /// of a given length, the increments of a cycle. [`settle`] takes a function that does.
-    pub fn settle(self, accuracy: f64, watch: &mut Watch<'_>) -> Result<Settled, Unsettled> {
-        let grid = self.grid(accuracy).map_err(|invalid| Unsettled::Build(invalid.into()))?;
+    pub fn settle(
+        self,
+        accuracy: f64,
+        watch: &mut Watch<'_>,
+    ) -> Result<SettledRun, AccuracyFailure> {
+        let grid = self.grid(accuracy).map_err(|invalid| AccuracyFailure::Build(invalid.into()))?;
         let mut build = |grid: &Grid| {
             let mut builder = self.clone().on(grid.elements, grid.moved);
             let schedule = &mut builder.planned.1;

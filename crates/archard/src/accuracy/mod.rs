@@ -14,7 +14,7 @@ pub use grid::{Grid, MOST};
 pub use increments::{DIVISOR, FEWEST, MOST as MOST_INCREMENTS};
 pub use regularity::{has_tip, order};
 pub use settle::{
-    Build, Enough, Event, FARTHEST, FINER, Failed, Settled, Unsettled, Watch, settle,
+    AccuracyFailure, Build, Enough, Event, FARTHEST, FINER, Failed, SettledRun, Watch, settle,
 };
 
 /// The least accuracy that can be asked for.

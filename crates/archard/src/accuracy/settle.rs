@@ -52,7 +52,7 @@ pub enum Event<'a> {
     /// A grid was judged, and is not fine enough. An error ends the search with that one: a budget may be spent.
     Judged,
     /// The run goes through on a grid that is not fine enough, and why no finer one is taken.
-    FallsShort(&'a Unsettled),
+    FallsShort(&'a AccuracyFailure),
 }
 
 /// What who watches answers to a state of a run whose rest is not needed: that run ends there, and errors are foreseen as far as
@@ -64,7 +64,7 @@ pub struct Enough;
 /// Why no grid was found.
 #[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
-pub enum Unsettled {
+pub enum AccuracyFailure {
     /// A run that cannot be built.
     #[error("{0}")]
     Build(Failed),
@@ -100,7 +100,7 @@ pub enum Unsettled {
     TooFew(f64),
 }
 
-impl Unsettled {
+impl AccuracyFailure {
     /// Whether whoever follows the runs stopped them.
     fn stops(&self) -> bool {
         matches!(self, Self::Run { cause, .. } if matches!(**cause, Error::Observer(_)))
@@ -109,7 +109,7 @@ impl Unsettled {
 
 /// A run and the grid it is on.
 #[derive(Debug)]
-pub struct Settled {
+pub struct SettledRun {
     /// The run; its reports state errors.
     pub simulation: Simulation,
     /// Its grid.
@@ -163,7 +163,7 @@ pub fn settle(
     grid: Grid,
     build: &mut Build<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Settled, Unsettled> {
+) -> Result<SettledRun, AccuracyFailure> {
     let mut search = Search { accuracy, grid, build, watch };
     // How fine a grid is, relative to the one at the beginning.
     let mut fineness = 1.0;
@@ -178,8 +178,8 @@ pub fn settle(
         let (mut own, judged) = match search.judged() {
             Err(cause) if reached.is_some() && !cause.stops() => break,
             // Finer elements than the memory holds tell no more of a solver that does not converge.
-            Err(Unsettled::Build(cause)) => {
-                return Err(too_coarse.unwrap_or(Unsettled::Build(cause)));
+            Err(AccuracyFailure::Build(cause)) => {
+                return Err(too_coarse.unwrap_or(AccuracyFailure::Build(cause)));
             }
             judged => judged?,
         };
@@ -202,7 +202,7 @@ pub fn settle(
         // Finer steps do not reduce the error of elements that are given.
         if error <= accuracy || !search.grid.refines {
             own.companions = Some(judges.companions);
-            return Ok(Settled { simulation: own, grid: search.grid });
+            return Ok(SettledRun { simulation: own, grid: search.grid });
         }
         reached = Some((search.grid.clone(), judges));
         // The order follows from errors that are smaller than the value.
@@ -251,11 +251,11 @@ struct Search<'a, 'b> {
 
 impl Search<'_, '_> {
     /// The run on the grid as it is, and what coarser runs say of it: or why no solution is found on so few elements.
-    fn judged(&mut self) -> Result<(Simulation, Result<Judges, Unsettled>), Unsettled> {
-        let own = (self.build)(&self.grid).map_err(Unsettled::Build)?;
+    fn judged(&mut self) -> Result<(Simulation, Result<Judges, AccuracyFailure>), AccuracyFailure> {
+        let own = (self.build)(&self.grid).map_err(AccuracyFailure::Build)?;
         let across = across(&own);
         if across < UNWORN * (1.0 - SAME) {
-            return Err(Unsettled::TooFew(across));
+            return Err(AccuracyFailure::TooFew(across));
         }
         let set = if axes(&own) == 1 { OF_LINES } else { COARSER };
         let first = &self.grid.clone();
@@ -274,8 +274,8 @@ impl Search<'_, '_> {
                     }
                     runs.push(Companion { ratio: grid.beside(first, axes(&own)), rows });
                 }
-                Err(Unsettled::Run { elements, cause }) if cause.is_of_convergence() => {
-                    failed = Some(Unsettled::Run { elements, cause });
+                Err(AccuracyFailure::Run { elements, cause }) if cause.is_of_convergence() => {
+                    failed = Some(AccuracyFailure::Run { elements, cause });
                 }
                 Err(error) => return Err(error),
             }
@@ -290,38 +290,41 @@ impl Search<'_, '_> {
     }
 
     /// Tells who watches of a run on a grid.
-    fn tell(&mut self, grid: &Grid, event: Event<'_>) -> Result<(), Unsettled> {
+    fn tell(&mut self, grid: &Grid, event: Event<'_>) -> Result<(), AccuracyFailure> {
         (self.watch)(event).map_err(|cause| {
             let cause = Box::new(Error::Observer(cause));
-            Unsettled::Run { elements: grid.elements, cause }
+            AccuracyFailure::Run { elements: grid.elements, cause }
         })
     }
 
     /// The rows of a run, and whether it was ended before its end.
-    fn run(&mut self, grid: &Grid) -> Result<(Vec<Row>, bool), Unsettled> {
+    fn run(&mut self, grid: &Grid) -> Result<(Vec<Row>, bool), AccuracyFailure> {
         let elements = grid.elements;
-        let simulation = (self.build)(grid).map_err(Unsettled::Build)?;
+        let simulation = (self.build)(grid).map_err(AccuracyFailure::Build)?;
         self.tell(grid, Event::Begins(elements))?;
         let mut watched = Watched { rows: vec![], enough: false, watch: self.watch };
         match simulation.run(&mut [&mut watched]) {
             Ok(_) => Ok((watched.rows, watched.enough)),
-            Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
+            Err(cause) => Err(AccuracyFailure::Run { elements, cause: Box::new(cause) }),
         }
     }
 
     /// The run on the finest grid that was judged, which is not fine enough.
-    fn falls_short(mut self, reached: Option<(Grid, Judges)>) -> Result<Settled, Unsettled> {
+    fn falls_short(
+        mut self,
+        reached: Option<(Grid, Judges)>,
+    ) -> Result<SettledRun, AccuracyFailure> {
         let Some((grid, judges)) = reached else {
-            return Err(Unsettled::Build("no grid was found that can be judged".into()));
+            return Err(AccuracyFailure::Build("no grid was found that can be judged".into()));
         };
-        let mut own = (self.build)(&grid).map_err(Unsettled::Build)?;
+        let mut own = (self.build)(&grid).map_err(AccuracyFailure::Build)?;
         let at = |place: f64| (judges.companions.worst_foreseen(place), place);
         // The first of those that are equal.
         let errors = judges.places(&own).into_iter().rev().map(at);
         let (error, place) =
             errors.max_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or_default();
         let tip = has_tip(&own.problem.bodies);
-        let why = Unsettled::TooCoarse {
+        let why = AccuracyFailure::TooCoarse {
             elements: grid.elements,
             error,
             place: own.problem.motion.progress.at(place),
@@ -330,7 +333,7 @@ impl Search<'_, '_> {
         };
         self.tell(&grid, Event::FallsShort(&why))?;
         own.companions = Some(judges.companions);
-        Ok(Settled { simulation: own, grid })
+        Ok(SettledRun { simulation: own, grid })
     }
 }
 

@@ -1,12 +1,12 @@
 //! A body of finite shape, meshed on its surface.
 
-use super::mesh::Meshed;
+use super::mesh::ContactMesh;
 
 /// A meshed surface, how it is held, and how fields vary over its elements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finite {
     /// The surface and the part of it that may touch.
-    pub meshed: Meshed,
+    pub meshed: ContactMesh,
     /// Curvatures 1/R along x and y (1/m) in the middle of that part, as of [`Shape::curvatures`].
     ///
     /// [`Shape::curvatures`]: super::mesh::Shape::curvatures

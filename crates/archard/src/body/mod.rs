@@ -211,13 +211,13 @@ impl Body {
 
 #[cfg(test)]
 mod tests {
-    use super::mesh::Meshed;
+    use super::mesh::ContactMesh;
     use super::{Body, Elasticity, Finite, Interpolation, profile::Sphere};
 
     /// A sphere of 0.5 m, on a mesh of these curvatures where there is one.
     fn sphere(mesh: Option<Option<[f64; 2]>>) -> Body {
         let finite = mesh.map(|curvatures| Finite {
-            meshed: Meshed::default(),
+            meshed: ContactMesh::default(),
             curvatures,
             supports: vec![],
             mirrored: [false; 2],

@@ -24,7 +24,7 @@ const AT_ONCE: usize = 64;
 const FOR_ONE: usize = 5;
 
 /// The compliance of bodies, one of them at least with the contact on its own elements.
-pub struct Carried {
+pub struct MeshCompliance {
     pairs: usize,
     /// Normals of the pairs, where they differ.
     normals: Vec<DVec3>,
@@ -40,13 +40,13 @@ pub struct Carried {
     whole: OnceLock<Option<Dense>>,
 }
 
-impl fmt::Debug for Carried {
+impl fmt::Debug for MeshCompliance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Carried").field("pairs", &self.pairs).finish_non_exhaustive()
     }
 }
 
-impl Carried {
+impl MeshCompliance {
     /// Of bodies that see the same pairs, and of parts that are known: row 3 i + d for the displacement (m) of pair i along direction d
     /// of its basis, column 3 j + e for the traction (Pa) of pair j along e.
     pub(super) fn new(
@@ -182,7 +182,7 @@ impl Carried {
     }
 }
 
-impl Compliance for Carried {
+impl Compliance for MeshCompliance {
     fn apply(&self, tractions: &VectorField) -> VectorField {
         match self.whole() {
             Some(whole) => whole.apply(tractions),

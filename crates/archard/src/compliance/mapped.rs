@@ -13,19 +13,19 @@ use crate::friction::Map;
 
 /// A compliance or a slip map, seen through the map of a friction law.
 #[derive(Debug)]
-pub struct Mapped<P> {
+pub struct MappedCompliance<P> {
     inner: P,
     map: Map,
 }
 
-impl<P> Mapped<P> {
+impl<P> MappedCompliance<P> {
     /// What a reference points at, seen through a map.
     pub fn new(inner: P, map: Map) -> Self {
         Self { inner, map }
     }
 }
 
-impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
+impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for MappedCompliance<P> {
     fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]) {
         let [one, two] = self.map.images(tractions);
         let [x, y] = slip;
@@ -55,16 +55,16 @@ impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
 
     fn within(&self, part: &Part) -> Option<Box<dyn SlipMap + '_>> {
         let inner = self.inner.within(part)?;
-        Some(Box::new(Mapped::new(inner, self.map)))
+        Some(Box::new(MappedCompliance::new(inner, self.map)))
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {
         let coarser = self.inner.coarser()?;
-        Some(Coarser { map: Box::new(Mapped::new(coarser.map, self.map)), ..coarser })
+        Some(Coarser { map: Box::new(MappedCompliance::new(coarser.map, self.map)), ..coarser })
     }
 }
 
-impl<P: Deref<Target: Compliance> + Debug + Send + Sync> Compliance for Mapped<P> {
+impl<P: Deref<Target: Compliance> + Debug + Send + Sync> Compliance for MappedCompliance<P> {
     fn apply(&self, tractions: &VectorField) -> VectorField {
         let VectorField { t1, t2, n } = tractions;
         let [t1, t2] = self.map.images([t1, t2]);
@@ -108,11 +108,11 @@ impl<P: Deref<Target: Compliance> + Debug + Send + Sync> Compliance for Mapped<P
     }
 
     fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {
-        Box::new(Mapped::new(self.inner.rolling(flow), self.map))
+        Box::new(MappedCompliance::new(self.inner.rolling(flow), self.map))
     }
 
     fn shifting<'a>(&'a self, frame: &'a ContactFrame) -> Box<dyn SlipMap + 'a> {
-        Box::new(Mapped::new(self.inner.shifting(frame), self.map))
+        Box::new(MappedCompliance::new(self.inner.shifting(frame), self.map))
     }
 
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {

@@ -19,20 +19,20 @@ use std::sync::Arc;
 use crate::frame::{ContactFrame, Flow, Part, VectorField};
 
 #[doc(hidden)]
-pub use crate::numerics::dense::Unsolved;
+pub use crate::numerics::dense::SolveError;
 #[doc(hidden)]
 pub use crate::numerics::large::NoMemory;
 pub use bem::contact::ContactError;
 #[doc(hidden)]
-pub use bem::{Balance, Undetermined};
+pub use bem::{Balance, Indeterminacy};
 #[doc(hidden)]
-pub use carried::Carried;
+pub use carried::MeshCompliance;
 pub use dense::Dense;
 pub use half_space::{HalfSpace, Periodic};
 #[doc(hidden)]
 pub use image::{Ends, Image};
 #[doc(hidden)]
-pub use mapped::Mapped;
+pub use mapped::MappedCompliance;
 #[doc(hidden)]
 pub use slip::Coarser;
 pub use slip::{PairStatus, SlipMap};

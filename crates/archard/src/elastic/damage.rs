@@ -28,7 +28,7 @@ impl Endurance {
 
 /// What the damage of a body depends on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tiring {
+pub struct DamageModel {
     /// The criterion.
     pub criterion: Criterion,
     /// The life that its values let.
@@ -42,25 +42,25 @@ pub struct Tiring {
 /// Sums of the damage of a body, cycle by cycle.
 #[derive(Debug, Clone)]
 pub struct Damage {
-    tiring: Tiring,
+    tiring: DamageModel,
     /// From all data; from elements of twice the size; from half of the depths; from half of the computed cycles.
     sums: [Sum; 4],
 }
 
 /// A value with its error.
-type Told = [f64; 2];
+type Listener = [f64; 2];
 
 /// What became of a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Damaged {
+pub struct DamageOfBody {
     /// The largest damage of all points, also of those worn off; 1 is the end of a life.
-    pub largest: Told,
+    pub largest: Listener,
     /// Where that is: along x and y, and up from the unworn surface (m).
     pub place: [f64; 3],
     /// The largest damage of the points that are there at the end.
-    pub left: Told,
+    pub left: Listener,
     /// The cycles that went by until the first point was at the end of its life, if one was.
-    pub life: Option<Told>,
+    pub life: Option<Listener>,
     /// Depth (m) below the unworn surface, and the largest damage of all points there and of those left.
     pub rows: Vec<[f64; 3]>,
     /// Whether some place is worn down to below all points.
@@ -99,7 +99,7 @@ struct Sum {
 
 impl Damage {
     /// Before the first cycle.
-    pub fn new(tiring: Tiring) -> Self {
+    pub fn new(tiring: DamageModel) -> Self {
         let sum = |level: usize, every: [usize; 2]| {
             let depths = some(&tiring.depths, every[0]);
             Sum {
@@ -121,7 +121,7 @@ impl Damage {
     /// Adds the cycles up to and with one, whose number is that of all cycles so far, with the depth (m) then worn off each pair. Between
     /// the cycles that are given shares go evenly.
     pub fn pass(&mut self, cycle: &Cycle, cycles: f64, worn: &[f64]) {
-        let Tiring { criterion, endurance, depths, added: [initial, swinging] } = &self.tiring;
+        let DamageModel { criterion, endurance, depths, added: [initial, swinging] } = &self.tiring;
         let added: Added<'_> = (initial, swinging);
         let values = [0, 1].map(|level| -> Vec<Vec<f64>> {
             depths.iter().map(|depth| cycle.values(criterion, (level, *depth), added)).collect()
@@ -147,12 +147,12 @@ impl Damage {
     }
 
     /// What became of the body by now; `None` before the first cycle, and where no stress is known.
-    pub fn so_far(&self) -> Option<Damaged> {
+    pub fn so_far(&self) -> Option<DamageOfBody> {
         let [all, parts @ ..] = self.sums.each_ref().map(|sum| sum.clone().at_end());
         let station = all.last.as_ref()?;
         let (largest, at) = all.largest()?;
         let (left, cycles) = (all.left(), station.cycles);
-        let apart = |value: f64, of: &dyn Fn(&Sum) -> f64| -> Told {
+        let apart = |value: f64, of: &dyn Fn(&Sum) -> f64| -> Listener {
             [value, parts.iter().map(|part| (of(part) - value).abs()).sum()]
         };
         // What a sum makes of a life that it does not see the end of.
@@ -169,7 +169,7 @@ impl Damage {
             [all.points[point], of(false), of(true)]
         };
         let deepest = all.points.last().copied()?;
-        Some(Damaged {
+        Some(DamageOfBody {
             largest: apart(largest, &|sum| sum.largest().map_or(f64::NAN, |own| own.0)),
             place: [x, y, -all.points[at % count]],
             left: apart(left, &Sum::left),

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::Pressed;
+use super::PressedHalfSpace;
 use super::maxima::Maximum;
 use crate::compliance::half_space::inside::Below;
 use crate::stress::criteria::{
@@ -126,9 +126,9 @@ impl Criterion {
     }
 }
 
-impl Pressed {
+impl PressedHalfSpace {
     /// What a criterion says at most of points that pass along an axis, at these depths (m) and between them, with an even stress added.
-    /// The place has no meaning along the motion. `None` where no row is known, and as of [`Pressed::maxima`].
+    /// The place has no meaning along the motion. `None` where no row is known, and as of [`PressedHalfSpace::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
@@ -184,7 +184,7 @@ impl Pressed {
 /// A half-space at each instant of a cycle of its contact. Its points stay where they are below the frame.
 #[derive(Debug)]
 pub struct Cycle {
-    instants: Vec<(Pressed, [Below; 2])>,
+    instants: Vec<(PressedHalfSpace, [Below; 2])>,
     /// The force of friction on the body at each, over the largest of the cycle; none without friction.
     pushes: Option<Vec<f64>>,
 }
@@ -195,12 +195,12 @@ pub type Added<'a> = (&'a Components, &'a Components);
 
 impl Cycle {
     /// Of the half-space at the instants, in their order, moved along that axis.
-    pub fn of(instants: Vec<Pressed>, axis: usize) -> Self {
+    pub fn of(instants: Vec<PressedHalfSpace>, axis: usize) -> Self {
         let pushes: Vec<f64> = instants.iter().map(|own| own.below.push(axis)).collect();
         let largest = pushes.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         let pushes = pushes.into_iter().map(|own| own / largest).collect();
         let pushes = (largest > 0.0).then_some(pushes);
-        let levels = |pressed: Pressed| {
+        let levels = |pressed: PressedHalfSpace| {
             let coarser = pressed.coarser();
             (pressed, coarser)
         };
@@ -208,7 +208,7 @@ impl Cycle {
     }
 
     /// What a criterion says at most of all points, at these depths (m) and between them, with even stresses added. `None` where
-    /// nothing is known, where there is no friction that a stress is in phase with, and as of [`Pressed::maxima`].
+    /// nothing is known, where there is no friction that a stress is in phase with, and as of [`PressedHalfSpace::maxima`].
     pub fn fatigue(
         &self,
         criterion: &Criterion,
@@ -221,7 +221,7 @@ impl Cycle {
         deepest(depths, STICKS, &|level, depth| criterion.worst(&self.paths(level, depth, added)))
     }
 
-    /// The depths of [`Pressed::depths`] at the first instant.
+    /// The depths of [`PressedHalfSpace::depths`] at the first instant.
     pub fn depths(&self) -> Vec<f64> {
         self.instants.first().map_or(vec![], |(pressed, _)| pressed.depths())
     }

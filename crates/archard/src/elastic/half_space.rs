@@ -7,7 +7,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::maxima::Of;
-use super::{ElasticError, Point, Response, Sampled, Section, von_mises};
+use super::{ElasticError, Point, Response, Section, SectionResponse, von_mises};
 use crate::body::Body;
 use crate::compliance::Ends;
 use crate::compliance::half_space::inside::Below;
@@ -23,7 +23,7 @@ const KNOWN: f64 = 0.25;
 ///
 /// Its axes are those of the body: x and y of the frame, z = 0 on the surface and negative in the body, for body 1 and for body 2.
 #[derive(Debug)]
-pub struct Pressed {
+pub struct PressedHalfSpace {
     /// The stresses below its elements.
     pub below: Below,
     /// The sides that pressures are cut at, along x and y the lower and the upper (m); infinitely far away where they are not.
@@ -34,7 +34,7 @@ pub struct Pressed {
     pub(super) ends: Option<Arc<Ends>>,
 }
 
-impl Pressed {
+impl PressedHalfSpace {
     /// Why stresses inside a body cannot be had from the tractions of a frame alone; `None` where they can.
     pub fn refuses(bodies: [&Body; 2], which: usize) -> Option<&'static str> {
         let body = bodies[which];
@@ -201,7 +201,7 @@ impl Pressed {
     /// The same with the points: of one on an interface of layers both what is above and, as a point of its own, what is below.
     ///
     /// # Errors
-    /// As [`Pressed::points`].
+    /// As [`PressedHalfSpace::points`].
     pub fn both_sides(
         &self,
         points: &[Point],
@@ -222,7 +222,7 @@ impl Pressed {
     }
 
     /// Displacement and stress on a section; places where they are not known are left out.
-    pub fn section(&self, section: &Section) -> Sampled {
+    pub fn section(&self, section: &Section) -> SectionResponse {
         let corners = self.ends.as_ref().map(|ends| ends.surface().corners());
         let at = |places: &[DVec3]| {
             let below = |place: &DVec3| section.below_zero(*place).map(|own| own.to_array());

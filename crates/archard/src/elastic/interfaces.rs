@@ -1,6 +1,6 @@
 //! What crosses the interfaces of layers, and what each side of them bears along the surface: by this layers peel, spall and crack.
 
-use super::Pressed;
+use super::PressedHalfSpace;
 use super::maxima::{Layer, Maximum, Of};
 use crate::compliance::half_space::inside::Below;
 use crate::stress::{Components, along_surface, orthogonal_shear};
@@ -57,7 +57,7 @@ pub(super) const SOUGHT: [Of; 5] = [
 
 /// The largest at the interfaces, from where they are largest in planes at both sides of each in turn.
 pub(super) fn interfaces(
-    pressed: &Pressed,
+    pressed: &PressedHalfSpace,
     levels: [&Below; 3],
     initial: &Components,
     layers: &[Layer],

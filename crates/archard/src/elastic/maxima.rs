@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 
-use super::Pressed;
+use super::PressedHalfSpace;
 use super::edge::{AtEdge, edges};
 use super::interfaces::{Interface, SOUGHT, Side, interfaces};
 use crate::compliance::half_space::inside::Below;
@@ -126,7 +126,7 @@ impl Maxima {
     }
 }
 
-impl Pressed {
+impl PressedHalfSpace {
     /// Depths (m) in a constant ratio, from half an element to as deep as the contact is wide along its shorter side, as far as
     /// stresses are known; none where nothing is pressed.
     pub fn depths(&self) -> Vec<f64> {
@@ -166,7 +166,7 @@ impl Pressed {
     /// The largest stresses at these depths (m) and between them, with an even stress added, and what yields under the strength (Pa) of each
     /// layer and of what is below all, where that is known. Where there are layers, both sides of all interfaces are looked at too. `see` is
     /// shown the stresses in every plane, which are no numbers where they depend on pressures beyond the frame. `None` where nothing is
-    /// known, and of a frame that repeats itself without [elements to judge by](Pressed::halves).
+    /// known, and of a frame that repeats itself without [elements to judge by](PressedHalfSpace::halves).
     pub fn maxima(
         &self,
         depths: &[f64],
@@ -331,7 +331,7 @@ fn layer(
 
 /// The maximum on the surface, by the stresses there: where all is pressed around, or at an edge; `None` where neither is known.
 fn on_surface(
-    (body, levels): (&Pressed, [&Below; 3]),
+    (body, levels): (&PressedHalfSpace, [&Below; 3]),
     (measure, initial): (Of, &Components),
     (face, edges): (&[Vec<f64>; 6], &[AtEdge]),
 ) -> Option<Maximum> {

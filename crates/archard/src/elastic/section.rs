@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Pressed, Response};
+use super::{PressedHalfSpace, Response};
 use crate::body::mesh;
 use crate::compliance::bem::{Interior, Surface};
 use crate::numerics::SAME;
@@ -32,7 +32,7 @@ pub struct Section {
 
 /// The response of a body on a section of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sampled {
+pub struct SectionResponse {
     /// The name of the section.
     pub name: String,
     /// The places in the body (m).
@@ -81,7 +81,7 @@ impl SectionError {
     }
 }
 
-impl Pressed {
+impl PressedHalfSpace {
     /// A section along an axis through a place (m), twice as wide as the contact and as deep as that is wide, as far as stresses are
     /// known; `None` where nothing is pressed.
     pub fn section_through(&self, name: &str, place: [f64; 3], axis: usize) -> Option<Section> {
@@ -182,7 +182,7 @@ impl Section {
     }
 
     /// The response of a body on it; without places where [`Section::check`] complains.
-    pub(super) fn sample(&self, surface: &Surface, interior: &Interior<'_>) -> Sampled {
+    pub(super) fn sample(&self, surface: &Surface, interior: &Interior<'_>) -> SectionResponse {
         let at = |place: &DVec3| interior.at(*place).map(Response::from);
         self.responses(Some(&surface.corners()), |places| places.par_iter().map(at).collect())
     }
@@ -192,9 +192,13 @@ impl Section {
         &self,
         corners: Option<&[DVec3]>,
         at: impl Fn(&[DVec3]) -> Vec<Option<Response>>,
-    ) -> Sampled {
-        let mut sampled =
-            Sampled { name: self.name.clone(), places: vec![], cells: vec![], responses: vec![] };
+    ) -> SectionResponse {
+        let mut sampled = SectionResponse {
+            name: self.name.clone(),
+            places: vec![],
+            cells: vec![],
+            responses: vec![],
+        };
         let Ok(grid) = self.grid(corners) else { return sampled };
         let [columns, rows] = grid.counts;
         let places: Vec<DVec3> =

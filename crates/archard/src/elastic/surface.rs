@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::{Deformed, Pressed, Response};
+use super::{DeformedBody, PressedHalfSpace, Response};
 use crate::compliance::Balance;
 
-impl Pressed {
+impl PressedHalfSpace {
     /// Displacements, tractions and stresses at the nodes of the elements on the surface of a body that ends somewhere; `None` of a
     /// half-space, and where not all are known.
-    pub fn on_surface(&self) -> Option<Deformed> {
+    pub fn on_surface(&self) -> Option<DeformedBody> {
         let surface = self.ends.as_ref()?.surface().clone();
         let nodes = surface.traction_nodes();
         let at = |[x, y, z]: [f64; 3]| self.at([x, y, z.min(0.0)]);
@@ -25,7 +25,7 @@ impl Pressed {
             forces[node.surface].iter_mut().zip(own).for_each(|(sum, own)| *sum += node.area * own);
             traction.push(own);
         }
-        Some(Deformed {
+        Some(DeformedBody {
             displacement,
             traction,
             stress: found.iter().map(|own| own.stress).collect(),

@@ -4,7 +4,7 @@ use crate::body::{Body, profile::circle_recess};
 
 /// What counts against the small gap of bodies, one of them hollow, at the edge of their contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Conforming {
+pub struct ConformingEdge {
     /// The gap between the profiles without that between circles of the same curvatures, over the gap: the terms of fourth and
     /// higher order that a paraboloid lacks. Infinite where a circle ends before the contact. A share e of a gap of second order
     /// changes Hertz's largest pressure under a load by 16 e/45 at first (I. N. Sneddon, *Int. J. Eng. Sci.* 3 (1965) 47).
@@ -14,7 +14,7 @@ pub struct Conforming {
     pub slope: f64,
 }
 
-impl Conforming {
+impl ConformingEdge {
     /// Of a contact that reaches so far (m) from its middle along x and y; the larger numbers of both axes. `None` where the bodies
     /// do not conform, or have no curvatures.
     pub fn of(bodies: &[Body; 2], reach: [f64; 2]) -> Option<Self> {
@@ -49,7 +49,7 @@ fn form(bodies: &[Body; 2], curvatures: [f64; 2], axis: usize, reach: f64) -> f6
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::Conforming;
+    use super::ConformingEdge;
     use crate::body::Body;
     use crate::body::profile::{Cylinder, Flat, Paraboloid, Profile, Sphere};
 
@@ -57,8 +57,8 @@ mod tests {
         one: impl Profile + 'static,
         two: impl Profile + 'static,
         reach: [f64; 2],
-    ) -> Option<Conforming> {
-        Conforming::of(&[Body::new("one", one), Body::new("two", two)], reach)
+    ) -> Option<ConformingEdge> {
+        ConformingEdge::of(&[Body::new("one", one), Body::new("two", two)], reach)
     }
 
     fn sphere(radius: f64) -> Sphere {

@@ -1,6 +1,6 @@
 //! The flash temperature of bodies that slide on a track, or that roll and slip all over.
 
-use super::{Contact, Course, Rolled, Subject};
+use super::{Contact, Course, RollingEstimate, Subject};
 use crate::closed_form::flash_temperature::{FAST, semi_ellipse, semi_ellipsoid};
 use crate::problem::Heating;
 
@@ -20,7 +20,7 @@ impl Warmth {
     pub(super) fn of(
         subject: &Subject<'_>,
         course: &Course,
-        (contact, rolled): (Contact, Option<Rolled>),
+        (contact, rolled): (Contact, Option<RollingEstimate>),
     ) -> Option<Self> {
         let heating = Heating::of(subject.bodies, subject.motion).ok()?;
         let axis = heating.direction().axis;

@@ -14,10 +14,10 @@ mod track;
 
 use std::cell::OnceCell;
 
-pub use conforming::Conforming;
+pub use conforming::ConformingEdge;
 pub use heat::Warmth;
-pub use rolling::{Rolled, Saturation, Track};
-pub use shifted::{Fretting, FrettingWear, Pressed};
+pub use rolling::{RollingEstimate, Saturation, Track};
+pub use shifted::{Fretting, FrettingWear, SphereWithFriction};
 pub use sliding::WornCap;
 pub use track::OnTrack;
 
@@ -77,13 +77,13 @@ pub struct Estimate {
     /// Scar and groove of bodies that slide on a track.
     pub track: Option<OnTrack>,
     /// Creep forces, stick and wear of bodies that roll.
-    pub rolled: Option<Rolled>,
+    pub rolled: Option<RollingEstimate>,
     /// How warm the contact of surfaces that stream through it gets.
     pub warmth: Option<Warmth>,
     /// Partial slip of a sphere that is shifted to and fro, and its wear.
     pub fretting: Option<Fretting>,
     /// The stick zone of a sphere that is pressed on a body of other elasticity.
-    pub pressed: Option<Pressed>,
+    pub pressed: Option<SphereWithFriction>,
 }
 
 /// The contact of the unworn bodies after Hertz.
@@ -111,7 +111,7 @@ impl Estimator {
     /// What closed forms say of a subject at some moment.
     pub fn of(&self, subject: &Subject<'_>, course: &Course) -> Estimate {
         let contact = subject.contact(course.control);
-        let rolled = contact.and_then(|contact| Rolled::of(subject, course, contact));
+        let rolled = contact.and_then(|contact| RollingEstimate::of(subject, course, contact));
         Estimate {
             curvatures: subject.curvatures(),
             contact_modulus: subject.contact_modulus(),
@@ -121,7 +121,7 @@ impl Estimator {
             rolled,
             warmth: contact.and_then(|contact| Warmth::of(subject, course, (contact, rolled))),
             fretting: Fretting::of(subject, course),
-            pressed: Pressed::of(subject, course.control, &self.spence),
+            pressed: SphereWithFriction::of(subject, course.control, &self.spence),
         }
     }
 }

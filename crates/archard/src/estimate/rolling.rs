@@ -10,7 +10,7 @@ use crate::motion::{Control, Drive, Drives, Sequence};
 /// What closed forms expect of rolling at the creepages and the spin given.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rolled {
+pub struct RollingEstimate {
     /// Whether the bodies touch along a line across the direction of rolling.
     pub line: bool,
     /// When all slips.
@@ -81,7 +81,7 @@ struct Contacted<'a> {
     beta: f64,
 }
 
-impl Rolled {
+impl RollingEstimate {
     /// What to expect of a contact; `None` unless it rolls.
     pub(super) fn of(subject: &Subject<'_>, course: &Course, contact: Contact) -> Option<Self> {
         let drives = subject.motion.driven(course.progress)?;
@@ -106,7 +106,7 @@ impl Rolled {
 }
 
 impl Contacted<'_> {
-    fn estimate(&self, course: &Course) -> Rolled {
+    fn estimate(&self, course: &Course) -> RollingEstimate {
         let (line, saturation) = (self.is_line(), self.saturation());
         let relative_creepage = self.relative_creepage(saturation);
         let stick_share = relative_creepage.map(|creepage| match line {
@@ -122,7 +122,7 @@ impl Contacted<'_> {
                 .map(|linear| vermeulen_johnson::force(linear, limit)),
         };
         let (free_creepage, track) = (self.free_creepage(), self.track(course));
-        Rolled {
+        RollingEstimate {
             line,
             saturation,
             relative_creepage,

@@ -44,7 +44,7 @@ pub struct FrettingWear {
 /// A sphere that is pressed on a body of other elasticity with friction: Spence, before any wear.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pressed {
+pub struct SphereWithFriction {
     /// Dundurs' constant.
     pub coupling: f64,
     /// mu.
@@ -115,7 +115,7 @@ impl FrettingWear {
     }
 }
 
-impl Pressed {
+impl SphereWithFriction {
     /// What to expect; `None` unless a sphere is pressed on more and more up to the peak of a cycle, and not shifted.
     pub(super) fn of(
         subject: &Subject<'_>,

@@ -13,7 +13,7 @@ pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     build: |values| {
         let [coefficient, least, speed] =
             ["coefficient", "least", "speed"].map(|name| values.require(name));
-        Ok(Box::new(Falling::new(coefficient?, least?, speed?)?))
+        Ok(Box::new(FallingFriction::new(coefficient?, least?, speed?)?))
     },
 };
 
@@ -40,13 +40,13 @@ const SPEED: Parameter = Parameter::required(
 
 /// limit = (mu_1 + (mu_0 - mu_1) exp(-v / v_0)) p.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Falling {
+pub struct FallingFriction {
     coefficient: f64,
     least: f64,
     speed: f64,
 }
 
-impl Falling {
+impl FallingFriction {
     /// The law with coefficients of friction mu_0 at rest and mu_1 at high speeds, and the speed v_0 (m/s).
     ///
     /// # Errors
@@ -60,7 +60,7 @@ impl Falling {
     }
 }
 
-impl Friction for Falling {
+impl Friction for FallingFriction {
     fn limit(&self, pressure: f64) -> f64 {
         pressure
     }
@@ -81,18 +81,21 @@ impl Friction for Falling {
 #[cfg(test)]
 mod tests {
     use super::super::{Circumstances, Friction};
-    use super::Falling;
+    use super::FallingFriction;
 
     /// Polach's values of a dry rail: A = 0.4 and B = 0.6 s/m of mu_0 = 0.55.
     #[test]
     fn the_coefficient_is_that_of_polach() {
         let (mu, a, b) = (0.55, 0.4, 0.6);
-        let law = Falling::new(mu, a * mu, 1.0 / b).unwrap();
+        let law = FallingFriction::new(mu, a * mu, 1.0 / b).unwrap();
         for speed in [0.0, 0.5, 3.0] {
             let expected = mu * ((1.0 - a) * f64::exp(-b * speed) + a);
             let factor = law.factor(Circumstances { speed, ..Circumstances::default() });
             assert!((factor - expected).abs() < 1e-15, "{factor} {expected}");
         }
-        assert!(Falling::new(mu, -0.1, 1.0).is_err() && Falling::new(mu, 0.1, 0.0).is_err());
+        assert!(
+            FallingFriction::new(mu, -0.1, 1.0).is_err()
+                && FallingFriction::new(mu, 0.1, 0.0).is_err()
+        );
     }
 }

@@ -16,7 +16,7 @@ use std::fmt::Debug;
 pub use coulomb::Coulomb;
 #[doc(hidden)]
 pub use disc::{Beyond, onto_disc};
-pub use falling::Falling;
+pub use falling::FallingFriction;
 pub use grip::{Circumstance, Circumstances};
 #[doc(hidden)]
 pub use grip::{Grip, Limits};

@@ -20,7 +20,7 @@ pub struct Within {
 
 /// What a table of fewer stations has lost.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Merged {
+pub struct StationLoss {
     /// The stations there were.
     pub rows: usize,
     /// Load, or approach, by distance slid that is off at the stations left out, and on their way, relative to all of it.
@@ -35,7 +35,7 @@ pub struct Merged {
 ///
 /// # Errors
 /// If a tolerance is not one.
-pub(super) fn merged(rows: &[Row], within: Within) -> Result<(Vec<Row>, Merged), Invalid> {
+pub(super) fn merged(rows: &[Row], within: Within) -> Result<(Vec<Row>, StationLoss), Invalid> {
     if !(within.share > 0.0 && within.share < 1.0) {
         return Err(Invalid::new(
             "within",
@@ -71,7 +71,7 @@ pub(super) fn merged(rows: &[Row], within: Within) -> Result<(Vec<Row>, Merged),
         ));
     }
     let loss = if whole.work > 0.0 { lost / whole.work } else { 0.0 };
-    Ok((kept, Merged { rows: rows.len(), loss, displaced, apart }))
+    Ok((kept, StationLoss { rows: rows.len(), loss, displaced, apart }))
 }
 
 /// All stations.

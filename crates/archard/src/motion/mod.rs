@@ -26,7 +26,7 @@ pub use fretting::Fretting;
 pub use indentation::Indentation;
 pub use joint::{Joint, Turn};
 #[doc(hidden)]
-pub use merged::{Merged, Within};
+pub use merged::{StationLoss, Within};
 pub use path::Path;
 #[doc(hidden)]
 pub use progress::Progress;
@@ -118,7 +118,7 @@ pub enum Sequence {
 /// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Passing {
+pub struct PassingSurfaces {
     /// Along the motion.
     pub direction: Direction,
     /// Which bodies pass; the others stay.
@@ -192,11 +192,11 @@ impl Motion {
     }
 
     /// The surfaces that pass, if any do and may wear.
-    pub fn passing(&self) -> Option<Passing> {
+    pub fn passing(&self) -> Option<PassingSurfaces> {
         let bodies = self.surfaces.each_ref().map(Passage::passes);
         let length = self.track().map(|track| track.length);
         let passages = length.map_or(1.0, |length| 1.0 / length);
-        let passing = Passing { direction: self.direction, bodies, passages, length };
+        let passing = PassingSurfaces { direction: self.direction, bodies, passages, length };
         (bodies != [false; 2] && self.sequence != Sequence::Raised).then_some(passing)
     }
 

@@ -9,7 +9,7 @@
 //! offsets: given as well, they say whether units and signs are those that were meant.
 
 use super::columns::{Columns, wrong};
-use super::merged::{Merged, Within, merged};
+use super::merged::{StationLoss, Within, merged};
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE};
 use super::{
     Control, Lever, MOST_INCREMENTS, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,
@@ -106,7 +106,7 @@ pub struct Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     rows: Vec<Row>,
-    merged: Option<Merged>,
+    merged: Option<StationLoss>,
 }
 
 impl Table {
@@ -144,7 +144,7 @@ impl Table {
     }
 
     /// What it has lost of the stations it was made of, where some were left out.
-    pub fn merged(&self) -> Option<Merged> {
+    pub fn merged(&self) -> Option<StationLoss> {
         self.merged
     }
 

@@ -11,11 +11,11 @@
 
 use faer::{Mat, MatMut, MatRef};
 
-use super::dense::{Lu, Unsolved};
+use super::dense::{Lu, SolveError};
 
 /// The factors of a matrix and of its border.
 #[derive(Debug)]
-pub struct Bordered<'l> {
+pub struct BorderedFactors<'l> {
     within: &'l Lu,
     /// M^-1 H.
     responses: Mat<f64>,
@@ -23,7 +23,7 @@ pub struct Bordered<'l> {
     complement: Lu,
 }
 
-impl<'l> Bordered<'l> {
+impl<'l> BorderedFactors<'l> {
     /// Around a matrix M that has factors: columns H, rows G and the corner D.
     ///
     /// # Errors
@@ -33,7 +33,7 @@ impl<'l> Bordered<'l> {
         columns: Mat<f64>,
         rows: Mat<f64>,
         corner: MatRef<'_, f64>,
-    ) -> Result<Self, Unsolved> {
+    ) -> Result<Self, SolveError> {
         let mut responses = columns;
         within.solve_in_place(responses.as_mut());
         let complement = Lu::of(&(corner - &rows * &responses))?;
@@ -54,7 +54,7 @@ mod tests {
     use approx::assert_relative_eq;
     use faer::Mat;
 
-    use super::Bordered;
+    use super::BorderedFactors;
     use crate::numerics::dense::Lu;
 
     /// Unsymmetric, with a zero corner like that of an unknown taken out.
@@ -74,7 +74,7 @@ mod tests {
         let columns = whole.submatrix(0, 9, 9, 3).to_owned();
         let rows = whole.submatrix(9, 0, 3, 9).to_owned();
         let bordered =
-            Bordered::new(&lu, columns, rows, whole.submatrix(9, 9, 3, 3)).expect("regular");
+            BorderedFactors::new(&lu, columns, rows, whole.submatrix(9, 9, 3, 3)).expect("regular");
         let mut found = images.clone();
         let (within, border) = found.as_mut().split_at_row_mut(9);
         bordered.solve_in_place(within, border);

@@ -45,7 +45,7 @@ pub struct Lu<T = f64> {
 
 /// Equations that have no solution, or none that could be found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum Unsolved {
+pub enum SolveError {
     /// A matrix that has no inverse.
     #[error("the matrix of {size} unknowns is singular")]
     Singular {
@@ -62,7 +62,7 @@ impl<T: RealField + Pod + Into<f64>> Lu<T> {
     ///
     /// # Errors
     /// If a pivot is zero or not a number, or there is no memory.
-    pub fn of(matrix: &Mat<T>) -> Result<Self, Unsolved> {
+    pub fn of(matrix: &Mat<T>) -> Result<Self, SolveError> {
         let mut copy = Large::zeros(matrix.nrows(), matrix.ncols())?;
         copy.as_mut().copy_from(matrix);
         Self::new(copy)
@@ -72,7 +72,7 @@ impl<T: RealField + Pod + Into<f64>> Lu<T> {
     ///
     /// # Errors
     /// If a pivot is zero or not a number.
-    pub fn new(mut matrix: Large<T>) -> Result<Self, Unsolved> {
+    pub fn new(mut matrix: Large<T>) -> Result<Self, SolveError> {
         let size = matrix.nrows();
         let (mut forward, mut backward) = (vec![0usize; size], vec![0usize; size]);
         let par = if size < ALONE { Par::Seq } else { Par::rayon(0) };
@@ -86,7 +86,7 @@ impl<T: RealField + Pod + Into<f64>> Lu<T> {
             pivot != 0.0 && pivot.is_finite()
         });
         if !sound {
-            return Err(Unsolved::Singular { size });
+            return Err(SolveError::Singular { size });
         }
         let rows = Perm::new_checked(forward.into(), backward.into(), size);
         Ok(Self { factors: matrix, rows })

@@ -16,7 +16,7 @@ pub use gap::Gap;
 #[doc(hidden)]
 pub use heat::{Flash, Heating, NoTemperature};
 #[doc(hidden)]
-pub use rough::{Spots, Unworn};
+pub use rough::{Spots, UnwornRecess};
 #[doc(hidden)]
 pub use surface::Grid;
 pub use surface::Surface;
@@ -54,7 +54,7 @@ pub struct ContactProblem {
     /// How the pairs rub.
     pub motion: Motion,
     /// The bodies at the pairs before they wear, once anyone asks.
-    pub unworn: Unworn,
+    pub unworn: UnwornRecess,
 }
 
 impl ContactProblem {

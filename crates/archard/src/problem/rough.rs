@@ -7,7 +7,7 @@ use crate::body::Body;
 
 /// The recess (m) of both bodies at the pairs, before they wear; measured shapes take long to evaluate.
 #[derive(Debug, Default)]
-pub struct Unworn(OnceLock<[Vec<f64>; 2]>);
+pub struct UnwornRecess(OnceLock<[Vec<f64>; 2]>);
 
 /// Weights of the differences of the first, second and third neighbours for a slope, over 60 spacings (ISO 25178-2).
 const SLOPE: [f64; 3] = [45.0, -9.0, 1.0];

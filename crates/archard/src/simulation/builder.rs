@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::periodic::repeats;
-use super::refusal::Refused;
+use super::refusal::Refusals;
 use super::setup::Simulation;
 use super::swing::offsets;
 use crate::body::{Body, Elasticity};
@@ -13,7 +13,7 @@ use crate::frame::{ContactFrame, Rectangle};
 use crate::friction::Friction;
 use crate::motion::{Planned, Schedule};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
-use crate::problem::{ContactProblem, Unworn};
+use crate::problem::{ContactProblem, UnwornRecess};
 use crate::solve::tangential::{FrictionSolver, Newton};
 use crate::solve::{ConjugateGradient, Solver};
 
@@ -179,12 +179,12 @@ impl Builder {
     ///
     /// # Errors
     /// If a part is missing, parts do not fit together, or a body does not reach over the frame.
-    pub fn build(self) -> Result<Simulation, Refused> {
+    pub fn build(self) -> Result<Simulation, Refusals> {
         self.build_with(&contact::condense)
     }
 
     /// The same with something that condenses meshed bodies or knows that they were.
-    pub fn build_with(self, condense: Condense<'_>) -> Result<Simulation, Refused> {
+    pub fn build_with(self, condense: Condense<'_>) -> Result<Simulation, Refusals> {
         self.check()?;
         let Self {
             bodies,
@@ -196,28 +196,29 @@ impl Builder {
             periodic,
         } = self;
         let motion = motion.of_bodies(&bodies);
-        let kernel = |frame: ContactFrame| -> Result<(ContactFrame, Arc<dyn Compliance>), Refused> {
-            if bodies.iter().any(Body::has_image) {
-                let compliance =
-                    Image::moved(bodies.each_ref(), offsets(&bodies, &motion), &frame)?;
-                return Ok((frame, Arc::new(compliance)));
-            }
-            let materials = bodies.each_ref().map(|body| body.material.as_ref());
-            let layers = bodies.each_ref().map(|body| &body.layers[..]);
-            let [along, _] = frame.size();
-            Ok(if periodic {
-                let depths = Periodic::depths(bodies.each_ref(), &frame);
-                let compliance = Periodic::new(materials, layers, depths, &frame);
-                (frame.closed(), Arc::new(compliance))
-            } else if frame.is_line() {
-                let depths = Body::depths(bodies.each_ref(), along);
-                let compliance = HalfSpace::plane_strain(materials, layers, depths, &frame);
-                (frame, Arc::new(compliance))
-            } else {
-                let compliance = HalfSpace::layered(materials, layers, &frame);
-                (frame, Arc::new(compliance))
-            })
-        };
+        let kernel =
+            |frame: ContactFrame| -> Result<(ContactFrame, Arc<dyn Compliance>), Refusals> {
+                if bodies.iter().any(Body::has_image) {
+                    let compliance =
+                        Image::moved(bodies.each_ref(), offsets(&bodies, &motion), &frame)?;
+                    return Ok((frame, Arc::new(compliance)));
+                }
+                let materials = bodies.each_ref().map(|body| body.material.as_ref());
+                let layers = bodies.each_ref().map(|body| &body.layers[..]);
+                let [along, _] = frame.size();
+                Ok(if periodic {
+                    let depths = Periodic::depths(bodies.each_ref(), &frame);
+                    let compliance = Periodic::new(materials, layers, depths, &frame);
+                    (frame.closed(), Arc::new(compliance))
+                } else if frame.is_line() {
+                    let depths = Body::depths(bodies.each_ref(), along);
+                    let compliance = HalfSpace::plane_strain(materials, layers, depths, &frame);
+                    (frame, Arc::new(compliance))
+                } else {
+                    let compliance = HalfSpace::layered(materials, layers, &frame);
+                    (frame, Arc::new(compliance))
+                })
+            };
         let (frame, compliance): (_, Arc<dyn Compliance>) = match contact {
             Touch::Given(frame, compliance) => (frame, compliance),
             Touch::Meshed => {
@@ -242,7 +243,7 @@ impl Builder {
             compliance,
             friction,
             motion,
-            unworn: Unworn::default(),
+            unworn: UnwornRecess::default(),
         };
         problem.fits()?;
         Ok(Simulation {

@@ -4,7 +4,7 @@
 //! digest says whether another one is the same.
 
 use super::digest::digest;
-use super::error::NotResumed;
+use super::error::ResumeError;
 use super::march::March;
 use super::report::Kept;
 use super::setup::Simulation;
@@ -26,15 +26,15 @@ impl Kept for March {
 
 impl March {
     /// A run of a simulation from what was kept of it.
-    pub(super) fn from_bytes(bytes: &[u8], simulation: &Simulation) -> Result<Self, NotResumed> {
+    pub(super) fn from_bytes(bytes: &[u8], simulation: &Simulation) -> Result<Self, ResumeError> {
         let content = unseal(bytes).and_then(|content| content.strip_prefix(LAYOUT.as_bytes()));
-        let content = content.ok_or(NotResumed::Unreadable)?;
-        let march: Self = postcard::from_bytes(content).map_err(|_| NotResumed::Unreadable)?;
+        let content = content.ok_or(ResumeError::Unreadable)?;
+        let march: Self = postcard::from_bytes(content).map_err(|_| ResumeError::Unreadable)?;
         if march.digest != digest(simulation) {
-            return Err(NotResumed::OtherCase);
+            return Err(ResumeError::OtherCase);
         }
         if !march.can_go_on(simulation) {
-            return Err(NotResumed::Unreadable);
+            return Err(ResumeError::Unreadable);
         }
         Ok(march)
     }

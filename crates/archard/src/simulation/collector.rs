@@ -9,7 +9,7 @@ use super::passing::{Lines, OfLines};
 use super::position::Position;
 use super::turning::Turned;
 use crate::friction::Circumstance;
-use crate::motion::Passing;
+use crate::motion::PassingSurfaces;
 use crate::numerics::vector::{self, Values};
 use crate::problem::{ContactProblem, ContactState, Surface, Wear};
 use crate::wear::Rubbing;
@@ -57,7 +57,8 @@ impl<'a> Collector<'a> {
     /// # Errors
     /// If surfaces do not pass along the frame.
     pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
-        let Some(Passing { direction, bodies, passages, .. }) = problem.motion.passing() else {
+        let Some(PassingSurfaces { direction, bodies, passages, .. }) = problem.motion.passing()
+        else {
             return Ok(Self { problem, stays: [true; 2], lines: None, coefficients: [None, None] });
         };
         let flow = problem.frame.flow(direction)?;

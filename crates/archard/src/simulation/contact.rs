@@ -12,7 +12,7 @@ use super::setup::Simulation;
 use super::swing::offsets;
 use crate::body::Body;
 use crate::compliance::half_space::Periodic;
-use crate::elastic::{ElasticError, Pressed};
+use crate::elastic::{ElasticError, PressedHalfSpace};
 use crate::motion::{Control, Motion, Rolling, Station, Stepping};
 use crate::numerics::vector::in_pool;
 use crate::parameters::Invalid;
@@ -149,14 +149,15 @@ impl Contact {
     ///
     /// # Errors
     /// If the body is rigid, meshed, or round as the other one, or touches in strips: no half-space under a uniform frame stands for it.
-    pub fn below(&self, body: usize) -> Result<Pressed, ElasticError> {
+    pub fn below(&self, body: usize) -> Result<PressedHalfSpace, ElasticError> {
         let problem = self.problem();
         let (bodies, frame) = (problem.bodies.each_ref(), &problem.frame);
-        if let Some(why) = Pressed::refuses(bodies, body) {
+        if let Some(why) = PressedHalfSpace::refuses(bodies, body) {
             return Err(ElasticError::Unknown { body, why });
         }
         let moved = (body, offsets(&problem.bodies, &problem.motion));
-        let pressed = Pressed::with_ends(bodies, moved, frame, &problem.tractions(&self.state))?;
+        let pressed =
+            PressedHalfSpace::with_ends(bodies, moved, frame, &problem.tractions(&self.state))?;
         let why = "is no half-space under a uniform frame without strips: run its case with `output.points`";
         let pressed = pressed.ok_or(ElasticError::Unknown { body, why })?;
         let depth = Periodic::depths(bodies, frame)[body];

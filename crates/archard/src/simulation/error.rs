@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::refusal::Refused;
+use super::refusal::Refusals;
 use crate::closed_form::flash_temperature::FAST;
 use crate::motion::Progress;
 use crate::numerics::upwind::DegenerateCloud;
@@ -129,7 +129,7 @@ pub enum Error {
     },
     /// Parts that do not fit together.
     #[error(transparent)]
-    Refused(#[from] Refused),
+    Refused(#[from] Refusals),
     /// Rolling on pairs that determine no derivative along the direction of rolling.
     #[error("particles do not pass from pair to pair: {0}")]
     NotPassed(#[from] DegenerateCloud),
@@ -153,7 +153,7 @@ pub enum Error {
     },
     /// A run that was kept does not go on.
     #[error(transparent)]
-    NotResumed(#[from] NotResumed),
+    NotResumed(#[from] ResumeError),
     /// An observer could not go on.
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),
@@ -179,7 +179,7 @@ impl Error {
 /// Why a run does not go on from what was kept.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum NotResumed {
+pub enum ResumeError {
     /// It does not read as a run of this version.
     #[error("what was kept of the run cannot be read; start it anew")]
     Unreadable,

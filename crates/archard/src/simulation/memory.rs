@@ -11,7 +11,7 @@ use super::setup::Simulation;
 use super::touch::Course;
 use crate::compliance::Compliance;
 use crate::frame::Part;
-use crate::motion::{Control, Passing};
+use crate::motion::{Control, PassingSurfaces};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap, Grid, Surface, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
@@ -84,7 +84,7 @@ pub(super) struct Increment {
 pub(super) fn unworn(problem: &ContactProblem) -> [Surface; 2] {
     let frame = problem.frame.elements();
     let mut grids = [Grid::of_pairs(frame); 2];
-    if let Some(Passing { direction, bodies, .. }) = problem.motion.passing()
+    if let Some(PassingSurfaces { direction, bodies, .. }) = problem.motion.passing()
         && problem.frame.flow(direction).is_ok_and(|flow| flow.has_rows())
     {
         for (grid, _) in grids.iter_mut().zip(bodies).filter(|(_, passes)| *passes) {

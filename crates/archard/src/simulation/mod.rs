@@ -54,7 +54,7 @@ pub use contact::Contact;
 #[doc(hidden)]
 pub use digest::digest;
 pub use effort::Effort;
-pub use error::{Error, NotResumed};
+pub use error::{Error, ResumeError};
 pub use history::row;
 #[doc(hidden)]
 pub use march::March;
@@ -63,7 +63,7 @@ pub use passing::WornLine;
 pub use periodic::repeats;
 #[doc(hidden)]
 pub use positions::solves_of_a_step;
-pub use refusal::Refused;
+pub use refusal::Refusals;
 #[doc(hidden)]
 pub use report::Kept;
 pub use report::{Observer, Report};

@@ -15,7 +15,7 @@ use super::collector::Collector;
 use super::error::Error;
 use crate::frame::{Flow, Line, Passage};
 use crate::motion::Slip;
-use crate::problem::{ContactProblem, ContactState, Flash, Unworn};
+use crate::problem::{ContactProblem, ContactState, Flash, UnwornRecess};
 use crate::wear::{Per, Rubbing, WearLaw};
 
 pub(super) use slid::distance_of_work;
@@ -81,7 +81,7 @@ pub(super) fn passage_by(
         compliance: compliance.clone(),
         friction: friction.clone(),
         motion: motion.clone(),
-        unworn: Unworn::default(),
+        unworn: UnwornRecess::default(),
     };
     let mut state = state.clone();
     if let Some(lines) = Collector::of(&problem)?.lines() {

@@ -21,7 +21,7 @@ use super::setup::Simulation;
 use super::surroundings::More;
 use super::wider::Wider;
 use crate::frame::{ContactFrame, Part, extent};
-use crate::problem::{ContactProblem, Unworn};
+use crate::problem::{ContactProblem, UnwornRecess};
 
 /// Gaps, over the approach, up to which pairs lie in a window.
 const AMPLE: f64 = 2.0;
@@ -204,7 +204,7 @@ impl Simulation {
                 frame,
                 friction: problem.friction.clone(),
                 motion: problem.motion.clone(),
-                unworn: Unworn::default(),
+                unworn: UnwornRecess::default(),
             },
             solver: Arc::clone(solver),
             friction_solver: Arc::clone(friction_solver),

@@ -86,9 +86,9 @@ impl fmt::Display for Refusal {
 
 /// All parts that do not fit together.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub struct Refused(pub Vec<Refusal>);
+pub struct Refusals(pub Vec<Refusal>);
 
-impl fmt::Display for Refused {
+impl fmt::Display for Refusals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, refusal) in self.0.iter().enumerate() {
             write!(f, "{}{refusal}", if index > 0 { "\n" } else { "" })?;
@@ -97,20 +97,20 @@ impl fmt::Display for Refused {
     }
 }
 
-impl From<Invalid> for Refused {
+impl From<Invalid> for Refusals {
     fn from(invalid: Invalid) -> Self {
         let Invalid { parameter, message, help, .. } = invalid;
         Self(vec![Refusal::new(Part::Value(parameter), message, help.unwrap_or_default())])
     }
 }
 
-impl From<OffTheSurface> for Refused {
+impl From<OffTheSurface> for Refusals {
     fn from(error: OffTheSurface) -> Self {
         Self(vec![Refusal::new(Part::Bodies, error.to_string(), "")])
     }
 }
 
-impl From<ContactError> for Refused {
+impl From<ContactError> for Refusals {
     fn from(error: ContactError) -> Self {
         Self(vec![Refusal::new(Part::Bodies, error.to_string(), "")])
     }
@@ -118,7 +118,7 @@ impl From<ContactError> for Refused {
 
 impl ContactProblem {
     /// Whether the laws have what they depend on, and the motion is possible on the frame.
-    pub(super) fn fits(&self) -> Result<(), Refused> {
+    pub(super) fn fits(&self) -> Result<(), Refusals> {
         let Self { bodies, frame, friction, motion, .. } = self;
         let mut all = of_laws(bodies, friction.as_deref(), motion);
         all.extend(across_symmetry(motion, frame.mirrored()));
@@ -133,7 +133,7 @@ impl ContactProblem {
             let what = format!("a law depends on the temperature: {reason}");
             all.push(Refusal::new(Part::Motion, what, ""));
         }
-        if all.is_empty() { Ok(()) } else { Err(Refused(all)) }
+        if all.is_empty() { Ok(()) } else { Err(Refusals(all)) }
     }
 }
 

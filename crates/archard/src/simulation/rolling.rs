@@ -15,7 +15,7 @@ use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Drive, Drives};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::solve::tangential::{self, Admissible, PrescribedForce, Turning};
+use crate::solve::tangential::{self, Admissible, PrescribedForce, TurningPair};
 
 /// Change of the grip below which friction and what it depends on agree, turns between them, and the change next to the last
 /// one from which on a turn goes only half as far as the one before; the second is that of a rough solve.
@@ -36,7 +36,7 @@ struct Rubbed<'a> {
     map: &'a dyn SlipMap,
     rigid: [&'a [f64]; 2],
     prescribed: &'a [PrescribedForce],
-    turning: Option<&'a [Turning]>,
+    turning: Option<&'a [TurningPair]>,
     /// Pressures (Pa) that say where particles come under friction, the present ones if not given.
     entries: Option<&'a [f64]>,
 }
@@ -129,7 +129,7 @@ impl History {
         simulation: &Simulation,
         increment: Increment,
         before_pressure: &[f64],
-        (solve, turning, entries): (friction::Solve, Option<&[Turning]>, Option<&[f64]>),
+        (solve, turning, entries): (friction::Solve, Option<&[TurningPair]>, Option<&[f64]>),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;

@@ -1,7 +1,7 @@
 //! A run: from the initial contact to the end of the motion, state by state.
 
 use super::effort::Effort;
-use super::error::{Error, NotResumed};
+use super::error::{Error, ResumeError};
 use super::march::March;
 use super::report::Observer;
 use super::report::{Kept, Report};
@@ -57,7 +57,7 @@ impl Run {
     ///
     /// # Errors
     /// If it was another one, or cannot be read.
-    pub fn resume(simulation: Simulation, checkpoint: &[u8]) -> Result<Self, NotResumed> {
+    pub fn resume(simulation: Simulation, checkpoint: &[u8]) -> Result<Self, ResumeError> {
         let march = March::from_bytes(checkpoint, &simulation)?;
         Ok(Self { simulation, march })
     }
@@ -114,7 +114,7 @@ impl Simulation {
     ///
     /// # Errors
     /// If it was another run, or cannot be read.
-    pub fn recognise(&self, checkpoint: &[u8]) -> Result<(), NotResumed> {
+    pub fn recognise(&self, checkpoint: &[u8]) -> Result<(), ResumeError> {
         March::from_bytes(checkpoint, self).map(|_| ())
     }
 

@@ -16,7 +16,7 @@ use crate::friction::Map;
 use crate::motion::Drives;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, GROWS};
-use crate::solve::tangential::{Tie, Turning};
+use crate::solve::tangential::{Tie, TurningPair};
 
 /// Pairs behind the one at the edge that stick at least where the trend of the first two goes on to it: the third keeps the edge
 /// of slip, next to which tractions bend, away from them.
@@ -79,7 +79,7 @@ pub(super) fn turns(drives: &Drives, flow: Flow<'_>) -> bool {
 
 impl History {
     /// The pairs that slip, each with the one behind.
-    pub(super) fn turning(&self, problem: &ContactProblem, flow: Flow<'_>) -> Vec<Turning> {
+    pub(super) fn turning(&self, problem: &ContactProblem, flow: Flow<'_>) -> Vec<TurningPair> {
         let known = self.state.tangential.as_ref().zip(problem.friction.as_ref());
         let Some((tangential, friction)) = known else { return vec![] };
         let pressure = &self.state.pressure;
@@ -88,7 +88,7 @@ impl History {
             limit > 0.0 && !tangential.sticks(problem, pressure, *pair)
         };
         let (back, elements) = (flow.direction().back(), flow.frame().elements());
-        let turning = |pair| Some(Turning { pair, behind: back.ahead(pair, elements)? });
+        let turning = |pair| Some(TurningPair { pair, behind: back.ahead(pair, elements)? });
         (0..pressure.len()).filter(slips).filter_map(turning).collect()
     }
 }

@@ -23,13 +23,13 @@ struct Stratum {
 
 /// Laws by the depth that is reached.
 #[derive(Debug, Clone)]
-pub struct Layered {
+pub struct LayeredWear {
     strata: Vec<Stratum>,
     inputs: Vec<Input>,
     per: Per,
 }
 
-impl Layered {
+impl LayeredWear {
     /// Layers from the surface down, each with its thickness (m) and its law, `None` where it does not wear, and the law of what is
     /// below them.
     ///
@@ -87,7 +87,7 @@ impl Layered {
     }
 }
 
-impl WearLaw for Layered {
+impl WearLaw for LayeredWear {
     fn inputs(&self) -> &[Input] {
         &self.inputs
     }
@@ -116,15 +116,15 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::super::{Archard, Input, Rubbing, WearLaw};
-    use super::Layered;
+    use super::LayeredWear;
 
     fn archard(coefficient: f64) -> Option<Arc<dyn WearLaw>> {
         Some(Arc::new(Archard::new(coefficient).unwrap()))
     }
 
     /// A hard layer of 1 um, a soft one of 2 um, and what is below.
-    fn law() -> Layered {
-        Layered::new([(1e-6, archard(1e-15)), (2e-6, archard(4e-15))], archard(2e-15)).unwrap()
+    fn law() -> LayeredWear {
+        LayeredWear::new([(1e-6, archard(1e-15)), (2e-6, archard(4e-15))], archard(2e-15)).unwrap()
     }
 
     /// At 1 GPa a metre wears 1 um of the first, 4 um of the second and 2 um of what is below.
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn what_does_not_wear_stays() {
-        let law = Layered::new([(1e-6, archard(1e-15))], None).unwrap();
+        let law = LayeredWear::new([(1e-6, archard(1e-15))], None).unwrap();
         let deep = Rubbing::new(1e9, 5.0);
         assert_relative_eq!(law.depth(deep), 1e-6);
         assert_eq!(law.slope(deep), 0.0);

@@ -25,7 +25,7 @@ pub use energy::Energy;
 pub use expression::Expression;
 #[doc(hidden)]
 pub use expression::LookUp;
-pub use layered::Layered;
+pub use layered::LayeredWear;
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use power::Power;

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use archard::Contact;
 use archard::body::profile::Cylinder;
 use archard::closed_form::sliding_line;
-use archard::elastic::{Criterion, Cycle, Damage, Endurance, Tiring};
+use archard::elastic::{Criterion, Cycle, Damage, DamageModel, Endurance};
 use archard::motion::Control;
 use archard::stress::Components;
 use archard::stress::criteria::Elastic;
@@ -112,8 +112,8 @@ fn a_stress_that_swings_with_friction_is_that_of_the_bulk_far_below() {
 }
 
 /// Crossland's criterion at depths of 0.05 to 0.8 half-widths, with a life that falls with the fifth power of it.
-fn tiring(peak: f64) -> Tiring {
-    Tiring {
+fn tiring(peak: f64) -> DamageModel {
+    DamageModel {
         criterion: Criterion::Crossland(0.3),
         endurance: Endurance { strength: 30.0 * peak, exponent: -0.2 },
         depths: (0..16).map(|step| 0.05 * (1.0 + f64::from(step)) * HALF).collect(),

@@ -3,7 +3,7 @@
 
 use archard::body::profile::Flat;
 use archard::body::{Body, Layer, Material};
-use archard::elastic::{ElasticError, Maxima, Maximum, Point, Pressed};
+use archard::elastic::{ElasticError, Maxima, Maximum, Point, PressedHalfSpace};
 use archard::frame::{ContactFrame, VectorField};
 
 fn material([shear, poisson]: [f64; 2]) -> Material {
@@ -24,7 +24,12 @@ fn flat(layers: &[[f64; 3]], base: Option<[f64; 2]>) -> Body {
 }
 
 /// The mean of Hertz's pressure over elements, by a rule of 32 points, on a frame so many radii wide; friction along x on body 1.
-fn pressed(body: Body, which: usize, (per_radius, radii): (usize, usize), mu: f64) -> Pressed {
+fn pressed(
+    body: Body,
+    which: usize,
+    (per_radius, radii): (usize, usize),
+    mu: f64,
+) -> PressedHalfSpace {
     let (h, n) = (1.0 / per_radius as f64, radii * per_radius);
     let size = [radii as f64; 2];
     let frame = ContactFrame::uniform(size, [n, n], [&Flat, &Flat]).unwrap();
@@ -44,10 +49,10 @@ fn pressed(body: Body, which: usize, (per_radius, radii): (usize, usize), mu: f6
     };
     let other = Body::new("ball", Flat).material(material([1.0, 0.3]));
     let bodies = if which == 0 { [&body, &other] } else { [&other, &body] };
-    Pressed::in_contact(bodies, which, &frame, &tractions).unwrap()
+    PressedHalfSpace::in_contact(bodies, which, &frame, &tractions).unwrap()
 }
 
-fn maxima(pressed: &Pressed) -> Maxima {
+fn maxima(pressed: &PressedHalfSpace) -> Maxima {
     pressed.maxima(&pressed.depths(), (&[0.0; 6], &[]), &mut |_, _| ()).unwrap()
 }
 

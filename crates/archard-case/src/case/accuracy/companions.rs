@@ -4,16 +4,18 @@ use super::increments;
 use crate::case::check::check;
 use crate::case::definition::{Case, Output};
 use crate::case::problem::Severity;
-use crate::case::resolved::Resolved;
+use crate::case::resolved::RunnableCase;
 use crate::output::{Life, Limit};
-use archard::accuracy::{Enough, Event, FARTHEST, Failed, Grid, Settled, Unsettled, Watch, settle};
+use archard::accuracy::{
+    AccuracyFailure, Enough, Event, FARTHEST, Failed, Grid, SettledRun, Watch, settle,
+};
 use archard::parameters::Value;
 use archard::simulation::{Observer, Simulation};
 
 /// The key of the tolerance of the steps.
 pub(super) const TOLERANCE: &str = "tolerance";
 
-impl Resolved {
+impl RunnableCase {
     /// The simulation of the case, as `build` makes it, and the case with the elements, tolerance and increments that its accuracy
     /// takes: coarser runs come first, which `watch` is shown. Where no accuracy is asked for the case stays as it is.
     ///
@@ -23,9 +25,9 @@ impl Resolved {
         mut self,
         build: &mut dyn FnMut(&Case) -> Result<Simulation, Failed>,
         watch: &mut Watch<'_>,
-    ) -> Result<(Self, Simulation), Unsettled> {
+    ) -> Result<(Self, Simulation), AccuracyFailure> {
         let Some(accuracy) = self.case.accuracy else {
-            let simulation = build(&self.case).map_err(Unsettled::Build)?;
+            let simulation = build(&self.case).map_err(AccuracyFailure::Build)?;
             return Ok((self, simulation));
         };
         let read = self.clone();
@@ -59,7 +61,7 @@ impl Resolved {
             Ok(())
         };
         let settled = settle(accuracy, read.grid(), &mut on_grid, &mut watch);
-        settled.map(|Settled { simulation, .. }| (self, simulation))
+        settled.map(|SettledRun { simulation, .. }| (self, simulation))
     }
 
     /// The grid of the case as it was read.

@@ -9,13 +9,13 @@ mod locate;
 mod refined;
 mod wider;
 
-pub use refined::Refined;
+pub use refined::GridRange;
 
 use super::check::Parts;
 use super::definition::{Case, FrameCase, MOST};
 use super::key::Key;
 use super::problem::Problem;
-use super::resolved::Resolved;
+use super::resolved::RunnableCase;
 use super::tree::{Entry, Item, Node, Table};
 use archard::accuracy::{COARSEST, FEWEST, TOLERANCE, UNWORN, admitted, has_tip, order};
 use archard::body::Body;
@@ -60,7 +60,7 @@ impl Chose {
     }
 }
 
-impl Resolved {
+impl RunnableCase {
     /// Whether a printed case is this one, apart from what was chosen for its accuracy.
     pub fn is_printed(&self, toml: &str) -> bool {
         let given = |toml: &str| -> Vec<String> {

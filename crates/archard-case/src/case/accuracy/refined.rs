@@ -3,12 +3,12 @@
 use std::fmt;
 
 use crate::case::check::{Parts, Solves, footprint};
-use crate::case::resolved::Resolved;
+use crate::case::resolved::RunnableCase;
 use archard::accuracy::{FINER, order};
 
 /// The grid that a run with an accuracy begins with, and the finest that may come next.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Refined {
+pub struct GridRange {
     /// Elements along x and y of the first.
     pub begins: [usize; 2],
     /// Elements along x and y of the next at most, which may be judged too coarse in turn.
@@ -19,16 +19,16 @@ pub struct Refined {
     pub memory: f64,
 }
 
-impl Resolved {
+impl RunnableCase {
     /// What a run may take that coarser ones find too coarse; `None` where its elements are given.
-    pub fn refined(&self) -> Option<Refined> {
+    pub fn refined(&self) -> Option<GridRange> {
         if !self.chose.elements {
             return None;
         }
         let order = order(&Parts::of(&self.case).ok()?.bodies);
         let case = self.on(&self.grid().finer(FINER[1], order)?).ok()?;
         let parts = Parts::of(&case).ok()?;
-        Some(Refined {
+        Some(GridRange {
             begins: self.case.frame.elements,
             elements: case.frame.elements,
             solves: Solves::of(&parts),
@@ -37,7 +37,7 @@ impl Resolved {
     }
 }
 
-impl fmt::Display for Refined {
+impl fmt::Display for GridRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { begins: [from_x, from_y], elements: [x, y], solves, memory } = self;
         writeln!(

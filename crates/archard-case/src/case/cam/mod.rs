@@ -9,13 +9,13 @@ use archard_gear::Misfit;
 use archard_gear::cam::{Cam, Follower, Loading};
 
 pub use forecast::CamForecast;
-pub use shapes::{CAM, CAMS, CamShape, Camming, FOLLOWERS};
+pub use shapes::{CAM, CAMS, CamDrive, CamShape, FOLLOWERS};
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::lines;
 use super::problem::Problem;
-use super::wheel_rail::Rolled;
+use super::wheel_rail::ProfiledPart;
 use crate::output::CamResults;
 
 /// A checked case of a cam and its follower, in SI. It prints as a case file that reads back to the same bits.
@@ -25,13 +25,13 @@ pub struct CamCase {
     /// What it is about.
     pub title: Option<String>,
     /// The cam.
-    pub cam: Rolled<CamShape>,
+    pub cam: ProfiledPart<CamShape>,
     /// The follower.
-    pub follower: Rolled<Follower>,
+    pub follower: ProfiledPart<Follower>,
     /// The friction law, where wear laws ask for friction.
-    pub friction: Option<Chosen<Box<dyn Friction>>>,
+    pub friction: Option<ChosenPart<Box<dyn Friction>>>,
     /// What presses them together, and for how long.
-    pub motion: Chosen<Camming>,
+    pub motion: ChosenPart<CamDrive>,
     /// Worn depths (m) that end it, of the cam and of the follower.
     pub until: [Option<f64>; 2],
 }

@@ -116,7 +116,7 @@ fn rows(values: &Values, name: &str) -> Result<Option<Vec<[f64; 2]>>, Invalid> {
 
 /// How a cam runs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Camming {
+pub struct CamDrive {
     /// Width (m) of the contact.
     pub width: f64,
     /// What presses them together; `None` where the table of the lift has it.
@@ -126,7 +126,7 @@ pub struct Camming {
 }
 
 /// The motion of cams.
-pub const CAM: &[Choice<Camming>] = &[Choice {
+pub const CAM: &[Choice<CamDrive>] = &[Choice {
     name: "cam",
     meaning: "a cam turns on its follower, which moves along a line through the axis of the cam",
     parameters: &[
@@ -168,6 +168,6 @@ pub const CAM: &[Choice<Camming>] = &[Choice {
             mass: mass.unwrap_or(0.0),
             speed: TAU * frequency.unwrap_or(0.0),
         });
-        Ok(Camming { width: values.require("width")?, loading, turns: values.number("turns") })
+        Ok(CamDrive { width: values.require("width")?, loading, turns: values.number("turns") })
     },
 }];

@@ -6,7 +6,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::Parts;
-use crate::case::chosen::Chosen;
+use crate::case::chosen::ChosenPart;
 use crate::case::definition::{BodyCase, BuildError, Case, FrameCase};
 use crate::case::finite::FiniteCase;
 use archard::body::mesh::Shape;
@@ -76,7 +76,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
         name: body.name.clone(),
         material: body.material.clone(),
         layers: vec![],
-        profile: Chosen::named("flat", PROFILES)?,
+        profile: ChosenPart::named("flat", PROFILES)?,
         finite: Some(coarse),
         wear: None,
         depth: None,
@@ -104,7 +104,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)
-        .map_err(simulation::Refused::from)?;
+        .map_err(simulation::Refusals::from)?;
     let areas: Vec<f64> = (0..contact.frame.len()).map(|pair| contact.frame.area(pair)).collect();
     let (pressure, mut displacement) = (vec![1.0; areas.len()], vec![0.0; areas.len()]);
     contact.compliance.apply_normal(&pressure, &mut displacement);
@@ -114,7 +114,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
 }
 
 /// The mesh with few elements; `None` where that cannot be.
-fn coarse(finite: &FiniteCase) -> Option<Chosen<Box<dyn Shape>>> {
+fn coarse(finite: &FiniteCase) -> Option<ChosenPart<Box<dyn Shape>>> {
     let mut mesh = finite.mesh.clone();
     let mut contact: Values = mesh.values.section("contact")?.clone();
     contact.pair("elements")?;

@@ -5,7 +5,7 @@ use super::Parts;
 use super::words::{both, three};
 use crate::case::problem::Problem;
 use crate::verdict::{self, EDGES};
-use archard::compliance::bem::contact::Meeting;
+use archard::compliance::bem::contact::BodiesInContact;
 use archard::estimate::{Contact, Estimate};
 use archard::frame::Pairs;
 
@@ -43,7 +43,7 @@ pub(super) fn problems(
 
 /// Wear that rigid bodies of these meshes have at the edge of the zone.
 fn worn_through(parts: &Parts<'_>, volume: f64) -> Option<Problem> {
-    let meeting = Meeting::of(parts.bodies.each_ref()).ok()?;
+    let meeting = BodiesInContact::of(parts.bodies.each_ref()).ok()?;
     let cut = reached(meeting.pairs(), volume);
     (!cut.is_empty()).then(|| {
         let message = format!(

@@ -5,7 +5,8 @@ use std::fmt::{self, Formatter};
 use super::words::{length, pressure, three};
 use archard::closed_form::worn_track::WornTrack;
 use archard::estimate::{
-    Contact, Estimate, Fretting, FrettingWear, OnTrack, Pressed, Rolled, Track, Warmth, WornCap,
+    Contact, Estimate, Fretting, FrettingWear, OnTrack, RollingEstimate, SphereWithFriction, Track,
+    Warmth, WornCap,
 };
 
 /// The contact and its friction, with the elements across it along x and y.
@@ -35,7 +36,7 @@ pub(super) fn write_contact(
     if let Some(fretting) = &estimate.fretting {
         fretting_in_words(f, fretting)?;
     }
-    if let Some(Pressed { stick_ratio, .. }) = estimate.pressed {
+    if let Some(SphereWithFriction { stick_ratio, .. }) = estimate.pressed {
         writeln!(f, "stick zone        {} of the contact radius (Spence)", three(stick_ratio))?;
     }
     Ok(())
@@ -83,7 +84,7 @@ fn contact_in_words(f: &mut Formatter<'_>, contact: &Contact) -> fmt::Result {
     writeln!(f, "load              {} N", three(contact.load))
 }
 
-fn rolled_in_words(f: &mut Formatter<'_>, rolled: &Rolled) -> fmt::Result {
+fn rolled_in_words(f: &mut Formatter<'_>, rolled: &RollingEstimate) -> fmt::Result {
     let [stick, creep] =
         if rolled.line { ["Carter"; 2] } else { ["strip theory", "Vermeulen-Johnson"] };
     if let Some(saturation) = rolled.saturation {

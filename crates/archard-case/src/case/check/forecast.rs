@@ -9,11 +9,11 @@ use super::finite::Finiteness;
 use super::footprint::memory;
 use super::surfaces::Surfaces;
 use super::words::{length, three};
-use super::yielding::Yielding;
+use super::yielding::YieldLimit;
 use super::{Parts, foreseen, size};
 use crate::case::definition::BodyCase;
 use crate::verdict::Verdict;
-use archard::body::mesh::Listed;
+use archard::body::mesh::MeshSurface;
 use archard::body::{Elasticity, Finite};
 use archard::estimate::{Estimate, Estimator};
 use archard::motion::{Sequence, Stepping};
@@ -30,7 +30,7 @@ pub struct Forecast {
     /// Wear coefficients by pressure and by work, of bodies for which one follows from the other.
     pub equivalents: Vec<Equivalent>,
     /// Where bodies of a known hardness yield first, without friction.
-    pub yieldings: Vec<Yielding>,
+    pub yieldings: Vec<YieldLimit>,
     /// Cycles; `None` where the bodies are not pressed and shifted step by step.
     pub cycles: Option<Cycles>,
     /// How the surfaces of bodies that fret meet, where closed forms tell the width of the contact.
@@ -44,7 +44,7 @@ pub struct Forecast {
     /// What says how meshed bodies deform, in words: the body, that, and why where the case does not say so.
     pub ways: Vec<(String, &'static str, Option<&'static str>)>,
     /// Bodies whose mesh is a file, with their surfaces.
-    pub files: Vec<(String, Vec<Listed>)>,
+    pub files: Vec<(String, Vec<MeshSurface>)>,
     /// What meshed bodies may differ by from half-spaces; empty where no closed form says.
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
@@ -84,7 +84,7 @@ impl Forecast {
                 [cells(0).min(nx as f64), cells(1).min(ny as f64)]
             }),
             equivalents: Equivalent::of(parts),
-            yieldings: Yielding::of(parts),
+            yieldings: YieldLimit::of(parts),
             cycles: Cycles::of(parts),
             surfaces: Surfaces::of(parts),
             solves: Solves::of(parts),
@@ -125,7 +125,7 @@ fn ways(parts: &Parts<'_>) -> Vec<(String, &'static str, Option<&'static str>)> 
 }
 
 /// The surfaces of bodies whose mesh is a file.
-fn files(parts: &Parts<'_>) -> Vec<(String, Vec<Listed>)> {
+fn files(parts: &Parts<'_>) -> Vec<(String, Vec<MeshSurface>)> {
     let of = |body: &BodyCase| Some((body.name.clone(), body.finite.as_ref()?.listed()?));
     parts.case.bodies.iter().filter_map(of).collect()
 }

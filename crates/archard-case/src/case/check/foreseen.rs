@@ -3,7 +3,7 @@
 use super::{Forecast, Parts};
 use crate::output::Stations;
 use crate::verdict::{self, Line, Verdict};
-use archard::estimate::Conforming;
+use archard::estimate::ConformingEdge;
 
 /// The verdict on a run, as far as closed forms tell.
 pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
@@ -39,8 +39,8 @@ fn of_contact(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Line> {
 
 /// What a plane frame neglects of half-spaces that conform, where their contact reaches so far (m) along x and y.
 pub(super) fn neglected(parts: &Parts<'_>, reach: [f64; 2]) -> impl Iterator<Item = Line> + use<> {
-    let conforming = Conforming::of(&parts.bodies, reach).filter(|_| !parts.case.is_meshed());
-    let lines =
-        conforming.map(|Conforming { form, slope }| [verdict::form(form), verdict::slope(slope)]);
+    let conforming = ConformingEdge::of(&parts.bodies, reach).filter(|_| !parts.case.is_meshed());
+    let lines = conforming
+        .map(|ConformingEdge { form, slope }| [verdict::form(form), verdict::slope(slope)]);
     lines.into_iter().flatten()
 }

@@ -6,7 +6,7 @@ use crate::case::problem::Problem;
 use crate::output::{WORST, WantedStresses};
 use archard::body::Body;
 use archard::compliance::bem::Surface;
-use archard::elastic::Pressed;
+use archard::elastic::PressedHalfSpace;
 use archard::motion::{Lever, Passage, Sequence};
 use archard::numerics::SAME;
 
@@ -101,7 +101,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
         let problem = stresses.as_ref().map(|_| Problem::error(key("stress"), meshed).at_name());
         return problem.into_iter().collect();
     }
-    let refused = Pressed::refuses(parts.bodies.each_ref(), which).or_else(|| {
+    let refused = PressedHalfSpace::refuses(parts.bodies.each_ref(), which).or_else(|| {
         let table = matches!(parts.motion.sequence, Sequence::Table(_)) && parts.friction.is_some();
         if case.frame.line && case.frame.elements[1] > 1 {
             Some("touches along a line in strips, each in plane strain by itself: stresses are computed of a line without strips")
@@ -114,7 +114,7 @@ fn half_space(parts: &Parts<'_>, which: usize) -> Vec<Problem> {
     if let Some(why) = refused {
         return vec![Problem::error(key(name), why).at_name()];
     }
-    if stresses.is_some() && case.frame.periodic && !Pressed::halves(case.frame.elements) {
+    if stresses.is_some() && case.frame.periodic && !PressedHalfSpace::halves(case.frame.elements) {
         let message = "repeats itself with the frame: its errors are found on elements of twice and four times the size, so that it needs a multiple of 8 `frame.elements` along each axis";
         return vec![Problem::error(key("stress"), message).at_name()];
     }

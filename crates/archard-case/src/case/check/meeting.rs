@@ -7,8 +7,8 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::body::Body;
 use archard::compliance::Image;
-use archard::compliance::bem::Undetermined;
-use archard::compliance::bem::contact::{ContactError, Meeting};
+use archard::compliance::bem::Indeterminacy;
+use archard::compliance::bem::contact::{BodiesInContact, ContactError};
 use archard::frame::Pairs;
 use archard::motion::Passage;
 use archard::simulation::offsets;
@@ -24,7 +24,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         let askew = parts.friction.as_deref().and_then(|law| refusal::inclined(law, mirrored));
         problems.extend(across.into_iter().chain(askew).filter_map(|one| parts.refused(one)));
     }
-    match Meeting::of(parts.bodies.each_ref()) {
+    match BodiesInContact::of(parts.bodies.each_ref()) {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, meeting.pairs()));
@@ -138,14 +138,14 @@ fn symmetry(bodies: &[BodyCase; 2]) -> Problem {
 }
 
 /// A body that is not held, or held twice.
-fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Undetermined) -> Problem {
+fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Indeterminacy) -> Problem {
     match cause {
-        Undetermined::Free { modes } => {
+        Indeterminacy::Free { modes } => {
             let message = format!("nothing holds the body against {}", both(modes));
             Problem::error(Key::default(), message)
                 .help("clamp a surface, or give rollers or displacements on several")
         }
-        Undetermined::TwoSupports { place: [x, y, z], surfaces } => {
+        Indeterminacy::TwoSupports { place: [x, y, z], surfaces } => {
             let mesh = parts.meshed().find(|(other, _)| other.name == body.name);
             let names = surfaces.map(|surface| {
                 let name = mesh.and_then(|(_, finite)| finite.meshed.mesh.surfaces.get(surface));

@@ -1,7 +1,7 @@
 //! Whether the machine holds what a case takes.
 
 use super::Parts;
-use crate::case::chosen::Chosen;
+use crate::case::chosen::ChosenPart;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -79,7 +79,7 @@ fn judged(memory: f64, free: f64) -> Option<Problem> {
 }
 
 /// What to change about a mesh that is too large.
-pub(in crate::case) fn key(mesh: Key, chosen: &Chosen<Box<dyn Shape>>) -> Key {
+pub(in crate::case) fn key(mesh: Key, chosen: &ChosenPart<Box<dyn Shape>>) -> Key {
     let key = mesh.child(chosen.choice.name);
     let given = |name: &str| chosen.values.get(name).is_some();
     if chosen.values.section("contact").is_some() {

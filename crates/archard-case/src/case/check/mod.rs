@@ -39,9 +39,9 @@ pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
 pub use surfaces::Surfaces;
 pub(super) use surfaces::settle;
-pub use yielding::Yielding;
+pub use yielding::YieldLimit;
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::definition::{BodyCase, BuildError, Case};
 use super::key::Key;
 use super::problem::{Problem, Severity};
@@ -70,7 +70,7 @@ impl<'a> Parts<'a> {
         let bodies = [first.build(&case.frame)?, second.build(&case.frame)?];
         let mut parts = Self {
             case,
-            friction: case.friction.as_ref().map(Chosen::build).transpose()?,
+            friction: case.friction.as_ref().map(ChosenPart::build).transpose()?,
             motion: motion.of_bodies(&bodies),
             bodies,
             schedule,

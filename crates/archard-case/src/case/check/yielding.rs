@@ -10,7 +10,7 @@ use archard::stress::TABOR;
 
 /// The first yield of a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Yielding {
+pub struct YieldLimit {
     /// The body's name.
     pub body: String,
     /// The peak pressure (Pa) at which it yields first.
@@ -19,7 +19,7 @@ pub struct Yielding {
     pub depth: f64,
 }
 
-impl Yielding {
+impl YieldLimit {
     /// Of half-spaces under a circular contact or a line of contact, as far as hardness is known; layers have stresses of their own.
     pub(super) fn of(parts: &Parts<'_>) -> Vec<Self> {
         let Some(contact) = parts.subject().contact(parts.schedule.control) else { return vec![] };
@@ -43,7 +43,7 @@ impl Yielding {
     }
 }
 
-impl fmt::Display for Yielding {
+impl fmt::Display for YieldLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { body, peak_pressure, depth } = self;
         let peak = pressure(*peak_pressure);

@@ -5,7 +5,7 @@ use archard_gear::{Pair, Sharing};
 
 /// How two gears mesh.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Meshing {
+pub struct GearMesh {
     /// Distance (m) of the axes.
     pub centre_distance: f64,
     /// Width (m) of the teeth that touch.
@@ -39,7 +39,7 @@ const SHARE: Parameter = Parameter::optional(
 );
 
 /// The motion of gears.
-pub const MESH: &[Choice<Meshing>] = &[Choice {
+pub const MESH: &[Choice<GearMesh>] = &[Choice {
     name: "mesh",
     meaning: "the flanks of two spur gears go through meshes",
     parameters: &[
@@ -64,7 +64,7 @@ pub const MESH: &[Choice<Meshing>] = &[Choice {
             }
             (meshes, turns) => (meshes.or(turns), turns.is_some()),
         };
-        Ok(Meshing {
+        Ok(GearMesh {
             centre_distance: values.require("centre_distance")?,
             width: values.require("width")?,
             torque: values.require("torque")?,
@@ -93,7 +93,7 @@ fn sharing(values: &Values) -> Result<Sharing, Invalid> {
     Sharing::table(rows.map(|(place, share)| [*place, *share]).collect())
 }
 
-impl Meshing {
+impl GearMesh {
     /// Meshes of a flank of the second gear for one of the first.
     pub(super) fn of_gear_two(&self, pair: &Pair) -> f64 {
         let [one, two] = pair.gears;

@@ -9,13 +9,13 @@ use archard::parameters::{Bound, Choice, Parameter, Quantity};
 use archard_gear::{Gear, Mesh, Misfit, Pair, Sharing};
 
 pub use forecast::GearForecast;
-pub use meshing::{MESH, Meshing};
+pub use meshing::{GearMesh, MESH};
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::lines;
 use super::problem::Problem;
-use super::wheel_rail::Rolled;
+use super::wheel_rail::ProfiledPart;
 use crate::output::GearResults;
 
 /// The profiles of gears.
@@ -58,11 +58,11 @@ pub struct GearCase {
     /// What it is about.
     pub title: Option<String>,
     /// Both gears; the first drives.
-    pub gears: [Rolled<Gear>; 2],
+    pub gears: [ProfiledPart<Gear>; 2],
     /// The friction law, where wear laws ask for friction.
-    pub friction: Option<Chosen<Box<dyn Friction>>>,
+    pub friction: Option<ChosenPart<Box<dyn Friction>>>,
     /// How they mesh.
-    pub motion: Chosen<Meshing>,
+    pub motion: ChosenPart<GearMesh>,
     /// Worn depths (m) that end it, of the first gear and of the second.
     pub until: [Option<f64>; 2],
 }
@@ -72,7 +72,7 @@ impl GearCase {
     ///
     /// # Errors
     /// If values of the case do not fit together.
-    pub fn prepare(&self) -> Result<(Mesh, Meshing), Problem> {
+    pub fn prepare(&self) -> Result<(Mesh, GearMesh), Problem> {
         let [one, two] = &self.gears;
         let names = [(&*one.name, "involute"), (&*two.name, "involute")];
         let wrong = |error: Misfit| lines::misfit(error, names, "mesh");

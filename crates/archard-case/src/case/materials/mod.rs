@@ -10,7 +10,7 @@ use super::nearest::nearest;
 
 /// A material as handbooks have it, in SI. What is not known of it is `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Named {
+pub struct HandbookMaterial {
     /// What it is called here.
     pub name: &'static str,
     /// What else it is called.
@@ -36,14 +36,14 @@ pub struct Named {
 /// There is no material of that name.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("there is no material `{name}`")]
-pub struct Unknown {
+pub struct UnknownMaterial {
     /// The name, as written.
     pub name: String,
     /// A name that may have been meant.
     pub meant: Option<&'static str>,
 }
 
-impl Unknown {
+impl UnknownMaterial {
     /// What to do: the name that may have been meant, or where they all are.
     pub fn help(&self) -> String {
         match self.meant {
@@ -54,12 +54,12 @@ impl Unknown {
     }
 }
 
-impl Named {
+impl HandbookMaterial {
     /// The material of a name, or of another that it is known by; capitals and what is neither letter nor digit do not count.
     ///
     /// # Errors
     /// If none exists, with the name nearest to it.
-    pub fn find(name: &str) -> Result<&'static Self, Unknown> {
+    pub fn find(name: &str) -> Result<&'static Self, UnknownMaterial> {
         let written = plain(name);
         let known: Vec<(String, &'static str, &'static Self)> =
             MATERIALS.iter().flat_map(Self::names).collect();
@@ -69,7 +69,7 @@ impl Named {
         let plains: Vec<&str> = known.iter().map(|(plain, ..)| plain.as_str()).collect();
         let near = nearest(&written, &plains);
         let meant = known.iter().find(|(plain, ..)| Some(plain.as_str()) == near);
-        Err(Unknown { name: name.to_owned(), meant: meant.map(|(_, name, _)| *name) })
+        Err(UnknownMaterial { name: name.to_owned(), meant: meant.map(|(_, name, _)| *name) })
     }
 
     /// Its names, plain and as they are written, each with itself.
@@ -93,23 +93,23 @@ fn plain(name: &str) -> String {
 mod tests {
     use std::collections::HashSet;
 
-    use super::{MATERIALS, Named, plain};
+    use super::{HandbookMaterial, MATERIALS, plain};
     use archard::body::{Body, Material, Thermal};
 
     #[test]
     fn names_are_found_as_people_write_them_and_belong_to_one_material() {
         let found = ["100Cr6", "100 cr 6", "AISI-52100", "ti6al4v", "Al2O3", "316 L"];
-        let found = found.map(|name| Named::find(name).unwrap().name);
+        let found = found.map(|name| HandbookMaterial::find(name).unwrap().name);
         assert_eq!(found, ["100Cr6", "100Cr6", "100Cr6", "Ti-6Al-4V", "Al2O3", "316L"]);
         let mut known = HashSet::new();
-        for (plain, name, _) in MATERIALS.iter().flat_map(Named::names) {
+        for (plain, name, _) in MATERIALS.iter().flat_map(HandbookMaterial::names) {
             assert!(known.insert(plain), "{name}");
         }
     }
 
     #[test]
     fn names_nearly_right_are_answered_with_the_right_one() {
-        let meant = |name: &str| Named::find(name).unwrap_err().meant;
+        let meant = |name: &str| HandbookMaterial::find(name).unwrap_err().meant;
         let written = ["100Cr5", "alumnia", "Inconell 718", "PEAK", "cheese of the moon"];
         assert_eq!(
             written.map(meant),
@@ -123,7 +123,8 @@ mod tests {
     #[test]
     fn values_are_those_of_solids() {
         for one in MATERIALS {
-            let Named { name, young, poisson, density, hardness, conductivity, .. } = *one;
+            let HandbookMaterial { name, young, poisson, density, hardness, conductivity, .. } =
+                *one;
             assert!(Material::new(young, poisson).is_ok() && young <= 1.2e12, "{name}");
             assert!(Body::DENSITY.admit(density).is_ok() && (900.0..20e3).contains(&density));
             assert!(hardness.is_none_or(|one| (1.0 / 500.0..1.0 / 8.0).contains(&(one / young))));

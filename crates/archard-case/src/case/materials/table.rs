@@ -1,6 +1,6 @@
 //! The table of materials: a line each.
 
-use super::Named;
+use super::HandbookMaterial;
 
 /// 1 HV or 1 HBW (1 kgf/mm^2) in Pa (ISO 6507-1, ISO 6506-1).
 const HV: f64 = 9.806_65e6;
@@ -21,10 +21,10 @@ const fn material(
     state: &'static str,
     [young, poisson, density, hardness, conductivity, heat]: [f64; 6],
     source: &'static str,
-) -> Named {
+) -> HandbookMaterial {
     let (name, also) = names;
     let (hardness, conductivity, heat) = (given(hardness * HV), given(conductivity), given(heat));
-    Named {
+    HandbookMaterial {
         name,
         also,
         state,
@@ -40,7 +40,7 @@ const fn material(
 
 /// All of them: E (GPa), nu, density (kg/m^3), HV or HBW, conductivity (W/(m K)), specific heat (J/(kg K)).
 #[rustfmt::skip]
-pub const MATERIALS: &[Named] = &[
+pub const MATERIALS: &[HandbookMaterial] = &[
     // Steels. Hardness of hardened steels from HRC by ASTM E140.
     material(("100Cr6", &["AISI 52100", "52100", "SUJ2", "1.3505"]), "bearing steel, hardened to 62 HRC", [210.0, 0.30, 7810.0, 746.0, 46.6, 475.0], "ASM Handbook vol. 1 (AISI 52100)"),
     material(("440C", &["X105CrMo17", "1.4125"]), "stainless bearing steel, hardened to 58 HRC", [200.0, 0.28, 7800.0, 653.0, 24.2, 460.0], ASM1),

@@ -1,6 +1,6 @@
 //! The bodies of a case.
 
-use crate::case::chosen::Chosen;
+use crate::case::chosen::ChosenPart;
 use crate::case::definition::{BodyCase, LayerCase};
 use crate::case::key::Key;
 use crate::case::material::MaterialCase;
@@ -91,7 +91,7 @@ impl Reader<'_> {
         let layers = self.layers(&section);
         let finite = self.finite(&section);
         let profile = match (section.get("profile"), section.get("mesh")) {
-            (None, Some(_)) => Chosen::named("flat", profiles()),
+            (None, Some(_)) => ChosenPart::named("flat", profiles()),
             _ => self
                 .table(
                     &section,
@@ -209,7 +209,10 @@ impl Reader<'_> {
     }
 
     /// The wear law, `Some(None)` where none exists; `None` if it is wrong.
-    pub(super) fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
+    pub(super) fn wear(
+        &mut self,
+        body: &Section<'_>,
+    ) -> Option<Option<ChosenPart<Box<dyn WearLaw>>>> {
         self.wear_of(body, "wear")
     }
 
@@ -218,7 +221,7 @@ impl Reader<'_> {
         &mut self,
         body: &Section<'_>,
         name: &str,
-    ) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
+    ) -> Option<Option<ChosenPart<Box<dyn WearLaw>>>> {
         let Some((key, entry)) = body.get(name) else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;
         self.required(&section, "wear law", WEAR_LAWS).map(Some)

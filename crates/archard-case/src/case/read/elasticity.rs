@@ -1,6 +1,6 @@
 //! What says how a meshed body deforms.
 
-use crate::case::chosen::Chosen;
+use crate::case::chosen::ChosenPart;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::Item;
@@ -15,7 +15,7 @@ impl Reader<'_> {
     pub(super) fn elasticity(
         &mut self,
         body: &Section<'_>,
-        mesh: &Chosen<Box<dyn Shape>>,
+        mesh: &ChosenPart<Box<dyn Shape>>,
     ) -> Option<(Elasticity, bool, Option<&'static str>)> {
         let given = mesh.values.get("compliance").is_some();
         let Some((key, entry)) = body.get("elasticity") else {

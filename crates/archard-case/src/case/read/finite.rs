@@ -11,7 +11,7 @@ use crate::case::problem::Problem;
 use crate::case::read::image;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
-use archard::body::mesh::{MESHES, MeshError, MeshProblem, Meshed, Zone};
+use archard::body::mesh::{ContactMesh, MESHES, MeshError, MeshProblem, Zone};
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::compliance::bem::Size;
 use archard::parameters::{Bound, Parameter, Quantity};
@@ -79,7 +79,7 @@ impl Reader<'_> {
     }
 
     /// The mesh, if it is sound.
-    fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
+    fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<ContactMesh> {
         let key = section.key.child(finite.mesh.choice.name);
         if finite.elasticity == Elasticity::Image || finite.elasticity.bears() {
             return self.imaged(&key, finite);
@@ -108,7 +108,7 @@ impl Reader<'_> {
     }
 
     /// The coarse mesh of an image field, or that of finite elements, if it is sound.
-    fn imaged(&mut self, key: &Key, finite: &FiniteCase) -> Option<Meshed> {
+    fn imaged(&mut self, key: &Key, finite: &FiniteCase) -> Option<ContactMesh> {
         match finite.meshed() {
             // What generators make is sound.
             Ok(meshed) if meshed.volume.is_none() => Some(meshed),
@@ -133,7 +133,7 @@ impl Reader<'_> {
     }
 
     /// Whether a mesh is the surface of one body.
-    fn sound(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) -> bool {
+    fn sound(&mut self, key: &Key, finite: &FiniteCase, meshed: &ContactMesh) -> bool {
         self.unit(key, finite, meshed);
         let mut sound = true;
         // Generators draw elements out on purpose, away from the zone; what is inside has elements of its own.
@@ -156,7 +156,7 @@ impl Reader<'_> {
     }
 
     /// A warning where a file of no unit makes a body larger than most.
-    fn unit(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) {
+    fn unit(&mut self, key: &Key, finite: &FiniteCase, meshed: &ContactMesh) {
         let [low, high] = meshed.mesh.bounds(0..meshed.mesh.faces.len());
         let longest = (high - low).max_element();
         if finite.mesh.values.get("path").is_some()
@@ -236,7 +236,7 @@ impl Reader<'_> {
     }
 
     /// Whether the mesh has the surfaces that supports name.
-    fn named(&mut self, body: &Section<'_>, finite: &FiniteCase, meshed: &Meshed) -> bool {
+    fn named(&mut self, body: &Section<'_>, finite: &FiniteCase, meshed: &ContactMesh) -> bool {
         let Some((key, entry)) = body.get("supports") else { return true };
         let Item::Table(table) = &entry.node.item else { return true };
         let known: Vec<&str> = meshed.mesh.surfaces.iter().map(String::as_str).collect();
@@ -341,7 +341,7 @@ pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
         true => first,
         false => meshed.find(|(_, other)| other.has_plane_zone()).unwrap_or(first),
     };
-    let Meshed { mesh, zone: Zone { faces, grid }, .. } = &meshed;
+    let ContactMesh { mesh, zone: Zone { faces, grid }, .. } = &meshed;
     let axes = match meshed.placed {
         true => meshed.axes(finite.mirrored)?,
         false => DVec3::AXES,

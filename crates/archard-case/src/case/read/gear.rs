@@ -4,7 +4,7 @@ use super::super::gear::{GEARS, GearCase, MESH};
 use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::{Entry, Item};
-use super::super::wheel_rail::Rolled;
+use super::super::wheel_rail::ProfiledPart;
 use archard::parameters::Quantity;
 use archard_gear::Gear;
 
@@ -46,7 +46,7 @@ impl Reader<'_> {
         let friction = self.friction(root);
         let until = self.worn_depths(root, [&one.name, &two.name]);
         let [one, two] = gears;
-        let gears: [Rolled<Gear>; 2] = [one?, two?];
+        let gears: [ProfiledPart<Gear>; 2] = [one?, two?];
         Some(GearCase { title: title?, gears, friction: friction?, motion: motion?, until: until? })
     }
 

@@ -2,7 +2,7 @@
 
 use crate::case::key::Key;
 use crate::case::material::MaterialCase;
-use crate::case::materials::Named;
+use crate::case::materials::HandbookMaterial;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::Item;
@@ -64,7 +64,10 @@ impl Reader<'_> {
     }
 
     /// The material that a table names, `Some(None)` where it names none; `None` if there is no such one.
-    pub(super) fn named_in(&mut self, section: &Section<'_>) -> Option<Option<&'static Named>> {
+    pub(super) fn named_in(
+        &mut self,
+        section: &Section<'_>,
+    ) -> Option<Option<&'static HandbookMaterial>> {
         match section.get("name").map(|(key, entry)| (key, &entry.node.item)) {
             Some((key, Item::Text(name))) => self.known(key, name).map(Some),
             _ => Some(None),
@@ -72,8 +75,8 @@ impl Reader<'_> {
     }
 
     /// The material of a name that stands at a key.
-    fn known(&mut self, key: Key, name: &str) -> Option<&'static Named> {
-        let found = Named::find(name);
+    fn known(&mut self, key: Key, name: &str) -> Option<&'static HandbookMaterial> {
+        let found = HandbookMaterial::find(name);
         if let Err(unknown) = &found {
             self.push(Problem::error(key, unknown.to_string()).help(unknown.help()));
         }

@@ -13,7 +13,7 @@ mod output;
 mod stress;
 mod wheel_rail;
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::definition::{BodyCase, Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
@@ -104,7 +104,7 @@ impl Reader<'_> {
     }
 
     /// A measured surface by itself.
-    pub fn surface(&mut self, root: &Section<'_>) -> Option<Chosen<PreparedSurface>> {
+    pub fn surface(&mut self, root: &Section<'_>) -> Option<ChosenPart<PreparedSurface>> {
         self.unknown(root, "key", &["profile"]);
         let section = self.table(root, "profile", "a `profile.surface`")?;
         self.required(&section, "profile", MAPS)
@@ -138,7 +138,7 @@ impl Reader<'_> {
         Some(Some(value))
     }
 
-    fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Planned>, Planned)> {
+    fn motion(&mut self, root: &Section<'_>) -> Option<(ChosenPart<Planned>, Planned)> {
         let section =
             self.table(root, "motion", "what the bodies do, for example `[motion.sliding]`")?;
         self.require_one(&section, "motion", MOTIONS);
@@ -146,14 +146,17 @@ impl Reader<'_> {
     }
 
     /// The friction law, `Some(None)` where none exists; `None` if it is wrong.
-    fn friction(&mut self, root: &Section<'_>) -> Option<Option<Chosen<Box<dyn Friction>>>> {
+    fn friction(&mut self, root: &Section<'_>) -> Option<Option<ChosenPart<Box<dyn Friction>>>> {
         let Some((key, entry)) = root.get("friction") else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;
         self.required(&section, "friction law", FRICTION).map(Some)
     }
 
     /// The solver of friction; the first of the list where there is no friction to be solved for.
-    fn friction_solver(&mut self, root: &Section<'_>) -> Option<Chosen<Box<dyn FrictionSolver>>> {
+    fn friction_solver(
+        &mut self,
+        root: &Section<'_>,
+    ) -> Option<ChosenPart<Box<dyn FrictionSolver>>> {
         let chosen = self.solver(root, "friction_solver", FRICTION_SOLVERS);
         let Some((key, _)) = root.get("friction_solver") else { return chosen };
         if root.get("friction").is_some() {
@@ -170,7 +173,7 @@ impl Reader<'_> {
         root: &Section<'_>,
         table: &str,
         solvers: &'static [Choice<T>],
-    ) -> Option<Chosen<T>> {
+    ) -> Option<ChosenPart<T>> {
         let Some((key, entry)) = root.get(table) else { return first(solvers) };
         let section = self.as_table(key, &entry.node)?;
         if section.table.0.is_empty() {
@@ -185,7 +188,7 @@ impl Reader<'_> {
         section: &Section<'_>,
         what: &str,
         choices: &'static [Choice<T>],
-    ) -> Option<Chosen<T>> {
+    ) -> Option<ChosenPart<T>> {
         self.require_one(section, what, choices);
         self.choice(section, what, choices).map(|(chosen, _)| chosen)
     }
@@ -210,6 +213,6 @@ fn names_a_mesh(root: &Section<'_>) -> bool {
 }
 
 /// The first of a list with nothing said about it.
-fn first<T>(choices: &'static [Choice<T>]) -> Option<Chosen<T>> {
-    choices.first().map(|choice| Chosen { choice, values: Values::default(), files: vec![] })
+fn first<T>(choices: &'static [Choice<T>]) -> Option<ChosenPart<T>> {
+    choices.first().map(|choice| ChosenPart { choice, values: Values::default(), files: vec![] })
 }

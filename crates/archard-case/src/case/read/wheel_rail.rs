@@ -1,12 +1,12 @@
 //! A case of a wheel on a rail.
 
-use super::super::chosen::Chosen;
+use super::super::chosen::ChosenPart;
 use super::super::key::is_bare;
 use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::{Entry, Item};
 use super::super::wheel_rail::{
-    CRACKS, LIMITS, RAILS, REPROFILING, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase,
+    CRACKS, LIMITS, ProfiledPart, RAILS, REPROFILING, WHEEL_RAIL, WHEELS, WheelRailCase,
 };
 use archard::parameters::{Choice, Parameter, Values};
 use archard_rail::contact::Resolution;
@@ -78,7 +78,7 @@ impl Reader<'_> {
     }
 
     /// How a body cracks, `Some(None)` where nobody asks for it; `None` if it is wrong.
-    fn cracks(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Cracks>>> {
+    fn cracks(&mut self, body: &Section<'_>) -> Option<Option<ChosenPart<Cracks>>> {
         let Some((key, entry)) = body.get("cracks") else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;
         self.required(&section, "model of cracks", CRACKS).map(Some)
@@ -90,7 +90,7 @@ impl Reader<'_> {
         bodies: &Section<'_>,
         which: &str,
         choices: &'static [Choice<S>],
-    ) -> Option<Rolled<S>> {
+    ) -> Option<ProfiledPart<S>> {
         let mut found = bodies.table.0.iter().filter(|entry| kind(entry) == Some(which));
         let Some(entry) = found.next() else {
             self.missing(bodies.key.clone(), &format!("a body with `profile.{which}`"));
@@ -109,7 +109,7 @@ impl Reader<'_> {
         bodies: &Section<'_>,
         entry: &Entry,
         choices: &'static [Choice<S>],
-    ) -> Option<Rolled<S>> {
+    ) -> Option<ProfiledPart<S>> {
         self.body_of(bodies, entry, (choices, OF_OTHERS))
     }
 
@@ -119,7 +119,7 @@ impl Reader<'_> {
         bodies: &Section<'_>,
         entry: &Entry,
         (choices, tables): (&'static [Choice<S>], &[&str]),
-    ) -> Option<Rolled<S>> {
+    ) -> Option<ProfiledPart<S>> {
         let key = bodies.key.child(&entry.name);
         if !is_bare(&entry.name) {
             let message = "names of bodies are of letters, digits, _ and -";
@@ -143,7 +143,7 @@ impl Reader<'_> {
         let (name, hardness, material) = (entry.name.clone(), material.hardness, material.elastic);
         let (wear, flange_wear) = (wear?, flange_wear?);
         let (profile, cracks, thermal) = (profile?, cracks?, thermal?);
-        Some(Rolled { name, material, hardness, thermal, profile, wear, flange_wear, cracks })
+        Some(ProfiledPart { name, material, hardness, thermal, profile, wear, flange_wear, cracks })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.

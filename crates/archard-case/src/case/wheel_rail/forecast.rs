@@ -7,7 +7,7 @@ use archard_rail::conicity::{equivalent_conicity, rolling_radius_difference};
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::Side;
 
-use super::prepared::Prepared;
+use super::prepared::PreparedContact;
 
 /// Amplitude (m) of the lateral motion that the equivalent conicity is told for: that of UIC 519 and EN 15302.
 pub const AMPLITUDE: f64 = 3e-3;
@@ -28,7 +28,7 @@ pub struct WheelRailForecast {
     pub points: usize,
 }
 
-impl Prepared {
+impl PreparedContact {
     /// What the set-up gives before any elasticity.
     pub(super) fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
         let states = self.running.states()?;

@@ -30,12 +30,12 @@ use archard_rail::wear::{ASKED, Cracks, Pass, Step, WearError};
 pub use cracks::CRACKS;
 pub use forecast::WheelRailForecast;
 pub use limits::LIMITS;
-pub use prepared::Prepared;
+pub use prepared::PreparedContact;
 pub use reprofiling::REPROFILING;
-pub use running::{Running, State, WHEEL_RAIL};
+pub use running::{State, WHEEL_RAIL, WheelsetMotion};
 pub use shape::{RAILS, RailShape, Shape, WHEELS, WheelShape};
 
-use super::chosen::Chosen;
+use super::chosen::ChosenPart;
 use super::key::Key;
 use super::problem::Problem;
 use crate::output::{RailResults, rail_files};
@@ -43,7 +43,7 @@ use crate::verdict;
 
 /// A wheel or a rail, with its profile.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rolled<S: 'static> {
+pub struct ProfiledPart<S: 'static> {
     /// The user's name for it.
     pub name: String,
     /// What it is made of.
@@ -53,13 +53,13 @@ pub struct Rolled<S: 'static> {
     /// How it conducts heat, and how warm it is; `None` where nobody asks for it.
     pub thermal: Option<Thermal>,
     /// Its profile.
-    pub profile: Chosen<S>,
+    pub profile: ChosenPart<S>,
     /// How it wears; `None` if it does not.
-    pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    pub wear: Option<ChosenPart<Box<dyn WearLaw>>>,
     /// How it wears where the flange of the wheel touches, if otherwise.
-    pub flange_wear: Option<Chosen<Box<dyn WearLaw>>>,
+    pub flange_wear: Option<ChosenPart<Box<dyn WearLaw>>>,
     /// How it cracks; `None` where nobody asks for it.
-    pub cracks: Option<Chosen<Cracks>>,
+    pub cracks: Option<ChosenPart<Cracks>>,
 }
 
 /// A checked case of a wheel on a rail, in SI. It prints as a case file that reads back to the same bits.
@@ -69,13 +69,13 @@ pub struct WheelRailCase {
     /// What it is about.
     pub title: Option<String>,
     /// The wheel.
-    pub wheel: Rolled<WheelShape>,
+    pub wheel: ProfiledPart<WheelShape>,
     /// The rail.
-    pub rail: Rolled<RailShape>,
+    pub rail: ProfiledPart<RailShape>,
     /// The friction law.
-    pub friction: Chosen<Box<dyn Friction>>,
+    pub friction: ChosenPart<Box<dyn Friction>>,
     /// How the wheelset stands and runs.
-    pub motion: Chosen<Running>,
+    pub motion: ChosenPart<WheelsetMotion>,
     /// Limits of the wheel in service, by `LIMITS`.
     pub until: Values,
     /// How the wheel is turned again, by `REPROFILING`; empty where nobody asks for it.
@@ -144,7 +144,7 @@ impl WheelRailCase {
     ///
     /// # Errors
     /// If values of the case do not fit together.
-    pub fn prepare(&self) -> Result<Prepared, Problem> {
+    pub fn prepare(&self) -> Result<PreparedContact, Problem> {
         let at = |key: Key| {
             move |error: Invalid| Problem::error(key.child(&error.parameter), error.message)
         };
@@ -180,7 +180,8 @@ impl WheelRailCase {
         let samples = (0..groups).map(sample).collect::<Result<_, _>>()?;
         let hardness = [self.wheel.hardness, self.rail.hardness].into_iter().flatten();
         let hardness = hardness.min_by(f64::total_cmp);
-        let law = |wear: &Option<Chosen<Box<dyn WearLaw>>>, [name, table]: [&str; 2]| match wear {
+        let law = |wear: &Option<ChosenPart<Box<dyn WearLaw>>>, [name, table]: [&str; 2]| match wear
+        {
             None => Ok(None),
             Some(law) => {
                 let key = Key::of(["body", name, table, law.choice.name]);
@@ -221,7 +222,7 @@ impl WheelRailCase {
             least.map(|limit| limit.value),
         );
         let thicknesses = thicknesses.map_err(at(Key::of(["reprofiling"])))?;
-        let prepared = Prepared {
+        let prepared = PreparedContact {
             thicknesses,
             planned,
             setup,
@@ -249,7 +250,7 @@ impl WheelRailCase {
 
     /// How wheel and rail crack.
     fn cracks(&self) -> Result<[Option<Cracks>; 2], Problem> {
-        let of = |name: &str, cracks: &Option<Chosen<Cracks>>, wears: bool| {
+        let of = |name: &str, cracks: &Option<ChosenPart<Cracks>>, wears: bool| {
             let Some(cracks) = cracks else { return Ok(None) };
             let key = Key::of(["body", name, "cracks", cracks.choice.name]);
             if !wears {
@@ -285,7 +286,7 @@ impl WheelRailCase {
     }
 
     /// Refuses limits of a wheel that does not wear, and those that it is beyond from the first.
-    fn hold_limits(&self, prepared: &Prepared) -> Result<(), Problem> {
+    fn hold_limits(&self, prepared: &PreparedContact) -> Result<(), Problem> {
         let until = Key::of(["until"]);
         if !prepared.wears()[0] {
             let message = format!("`{}` has no wear law: it reaches no limit", self.wheel.name);
@@ -324,8 +325,8 @@ impl WheelRailCase {
     }
 
     /// Refuses what wears without a distance, and laws that ask for what a profile does not keep.
-    fn hold(&self, prepared: &Prepared) -> Result<(), Problem> {
-        let Running { distance, axles, .. } = prepared.running;
+    fn hold(&self, prepared: &PreparedContact) -> Result<(), Problem> {
+        let WheelsetMotion { distance, axles, .. } = prepared.running;
         if !prepared.limits.is_empty() {
             self.hold_limits(prepared)?;
         }
@@ -361,7 +362,7 @@ impl WheelRailCase {
     }
 
     /// Refuses a flange that has something of its own and begins nowhere, one that has nothing, and one that wears on a body that does not.
-    fn hold_zones(&self, running: &Running) -> Result<(), Problem> {
+    fn hold_zones(&self, running: &WheelsetMotion) -> Result<(), Problem> {
         let own = [
             (&self.wheel.name, &self.wheel.wear, &self.wheel.flange_wear),
             (&self.rail.name, &self.rail.wear, &self.rail.flange_wear),
@@ -434,8 +435,8 @@ impl WheelRailCase {
 
     /// The files of its results but for the case, by their names in the folder.
     pub(super) fn files(&self) -> Vec<String> {
-        let files = |prepared: Prepared| {
-            let Running { sides, within, .. } = &prepared.running;
+        let files = |prepared: PreparedContact| {
+            let WheelsetMotion { sides, within, .. } = &prepared.running;
             rail_files(prepared.wears(), sides, prepared.formats, within.is_some())
         };
         self.prepare().map(files).unwrap_or_default()

@@ -8,17 +8,17 @@ use archard_rail::conicity::equivalent_conicity;
 use archard_rail::contact::{self, Bodies, ContactError, Resolution};
 use archard_rail::file::Format;
 use archard_rail::flange;
-use archard_rail::gather::{self, Gathered};
+use archard_rail::gather::{self, HistoryPoints};
 use archard_rail::setup::{Setup, Side};
 use archard_rail::wear::{
-    CONICITY, Cracks, Journey, Kept, Limit, Pass, Route, Step, Thicknesses, Travelled, Turning,
-    Worn, error_of,
+    CONICITY, Cracks, Journey, Kept, Limit, Pass, Reprofiling, Route, RouteResult, Step,
+    Thicknesses, WornSide, error_of,
 };
 use rayon::prelude::*;
 
 use super::RailError;
 use super::forecast::AMPLITUDE;
-use super::running::{Columns, Running, State, title};
+use super::running::{Columns, State, WheelsetMotion, title};
 use crate::output::{
     AtPoint, Flank, RailContact, RailEconomy, RailHistory, RailLife as Life, RailPlan, RailResults,
     RailWear,
@@ -31,7 +31,7 @@ fn coefficient(law: &dyn Friction, pressure: f64) -> f64 {
 
 /// A wheel over its rail, ready to be pressed on in any state.
 #[derive(Debug, Clone)]
-pub struct Prepared {
+pub struct PreparedContact {
     pub(super) setup: Setup,
     /// The same with groups of the points of measured profiles left out.
     pub(super) samples: Vec<Setup>,
@@ -48,14 +48,14 @@ pub struct Prepared {
     /// Thicknesses of flanges that it is turned to; `None` where that is always the whole flange.
     pub(super) thicknesses: Option<Thicknesses>,
     /// How the wheel is turned again.
-    pub(super) turning: Option<Turning>,
+    pub(super) turning: Option<Reprofiling>,
     /// How the case has the wheelset stand and run.
-    pub running: Running,
+    pub running: WheelsetMotion,
     /// The formats in which the profiles of the wheel and of the rail were read.
     pub formats: [Format; 2],
 }
 
-impl Prepared {
+impl PreparedContact {
     /// All that a route is computed from, in words: profiles, points and tables that a case only names as well.
     pub fn computed_from(&self) -> String {
         let Self { setup, bodies, running, resolution, cracks, .. } = self;
@@ -98,7 +98,7 @@ impl Prepared {
         let travelled = journey.go_on(kept, watch)?;
         contacts.extend(self.all(Some(&travelled.worn))?);
         // Rails of other wear are met on the way: only a worn wheel keeps its conicity.
-        let conicity = |worn: Option<&[Worn]>| {
+        let conicity = |worn: Option<&[WornSide]>| {
             let setups = self.setups(worn);
             self.wears()[0]
                 .then(|| {
@@ -148,7 +148,7 @@ impl Prepared {
     pub fn on_a_route(&self) -> Result<Option<(Self, RailHistory)>, RailError> {
         let Some(within) = self.running.within else { return Ok(None) };
         let (route, history) = self.gathered(within)?;
-        let running = Running { route, within: None, ..self.running.clone() };
+        let running = WheelsetMotion { route, within: None, ..self.running.clone() };
         Ok(Some((Self { running, ..self.clone() }, history)))
     }
 
@@ -159,7 +159,7 @@ impl Prepared {
     pub fn travel(
         &self,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
-    ) -> Result<Travelled, RailError> {
+    ) -> Result<RouteResult, RailError> {
         Ok(self.journey()?.travel(watch)?)
     }
 
@@ -182,7 +182,7 @@ impl Prepared {
             journey.work(&point)
         };
         let gathered = gather::gather(&steps, within, work);
-        let Gathered { mut points, loss } =
+        let HistoryPoints { mut points, loss } =
             gathered.map_err(|cause| RailError::Contact { point: None, cause: Box::new(cause) })?;
         points.sort_by(|one, other| other.weight.total_cmp(&one.weight));
         let mut route: Columns =
@@ -241,7 +241,7 @@ impl Prepared {
     }
 
     /// The contacts at all points, with new profiles or with worn ones.
-    fn all(&self, worn: Option<&[Worn]>) -> Result<Vec<RailContact>, RailError> {
+    fn all(&self, worn: Option<&[WornSide]>) -> Result<Vec<RailContact>, RailError> {
         let states = self.running.states()?;
         let setups = self.setups(worn);
         // One point of new profiles is a contact by itself.
@@ -298,7 +298,7 @@ impl Prepared {
     }
 
     /// The set-up of each side that is computed.
-    fn setups(&self, worn: Option<&[Worn]>) -> Vec<Setup> {
+    fn setups(&self, worn: Option<&[WornSide]>) -> Vec<Setup> {
         let side = |at: usize| match worn.and_then(|worn| worn.get(at)) {
             Some(worn) => self.setup.worn(worn.rail.curve(), worn.wheel.curve()),
             None => self.setup.clone(),

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use archard::body::Thermal;
 use archard::parameters::{Parameter, Values};
 
-use super::{LIMITS, REPROFILING, Rolled, WheelRailCase};
+use super::{LIMITS, ProfiledPart, REPROFILING, WheelRailCase};
 use crate::case::print::{number, print_chosen, quoted, si};
 
 impl Display for WheelRailCase {
@@ -44,8 +44,9 @@ fn print_values(
     Ok(())
 }
 
-pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
-    let Rolled { name, material, hardness, thermal, profile, wear, flange_wear, cracks } = body;
+pub(in crate::case) fn print_body<S>(f: &mut Formatter<'_>, body: &ProfiledPart<S>) -> fmt::Result {
+    let ProfiledPart { name, material, hardness, thermal, profile, wear, flange_wear, cracks } =
+        body;
     let key = format!("body.{name}");
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;

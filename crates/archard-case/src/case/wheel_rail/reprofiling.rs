@@ -1,7 +1,7 @@
 //! How a wheel is turned again, `reprofiling` of a case.
 
 use archard::parameters::{Bound, Invalid, Parameter, Quantity, Values};
-use archard_rail::wear::{Thicknesses, Turning};
+use archard_rail::wear::{Reprofiling, Thicknesses};
 
 /// What a lathe leaves.
 pub const REPROFILING: &[Parameter] = &[
@@ -73,7 +73,7 @@ pub(super) fn thicknesses(
 }
 
 /// What is given for a wheel of that radius (m); `None` where nobody asks for it.
-pub(super) fn turning(values: &Values, radius: f64) -> Result<Option<Turning>, Invalid> {
+pub(super) fn turning(values: &Values, radius: f64) -> Result<Option<Reprofiling>, Invalid> {
     let allowance = values.number("allowance");
     let Some(last_radius) = values.number("last_radius") else {
         return match allowance {
@@ -92,5 +92,5 @@ pub(super) fn turning(values: &Values, radius: f64) -> Result<Option<Turning>, I
         );
         return Err(Invalid::new("last_radius", message));
     }
-    Ok(Some(Turning { radius, last_radius, allowance: allowance.unwrap_or(0.0) }))
+    Ok(Some(Reprofiling { radius, last_radius, allowance: allowance.unwrap_or(0.0) }))
 }

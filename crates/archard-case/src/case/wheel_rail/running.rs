@@ -22,7 +22,7 @@ pub type Columns = Vec<(String, Vec<f64>)>;
 
 /// How a wheelset stands on its track and runs.
 #[derive(Debug, Clone)]
-pub struct Running {
+pub struct WheelsetMotion {
     /// The sides to compute.
     pub sides: Vec<Side>,
     /// Gauge (m), and the depth (m) down to which it counts.
@@ -248,7 +248,7 @@ impl State {
     }
 }
 
-impl Running {
+impl WheelsetMotion {
     /// The points of the route; what is here where none exists.
     ///
     /// # Errors
@@ -277,7 +277,7 @@ impl Running {
 }
 
 /// The motion of a wheel on a rail.
-pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
+pub const WHEEL_RAIL: &[Choice<WheelsetMotion>] = &[Choice {
     name: "wheel_rail",
     meaning: "a railway wheelset on its track: patches, creepages and forces, and wear over a route",
     parameters: &[
@@ -319,7 +319,7 @@ fn creepage(name: &str) -> Option<[usize; 2]> {
     at(0).or_else(|| at(1))
 }
 
-fn build(values: &Values) -> Result<Running, Invalid> {
+fn build(values: &Values) -> Result<WheelsetMotion, Invalid> {
     let or = |name, default| values.number(name).unwrap_or(default);
     let sides = match values.word("side") {
         Some("left") => vec![Side::Left],
@@ -355,7 +355,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         let message = "is missing: `flange_friction` counts from there on";
         return Err(Invalid::new("flange_from", message));
     }
-    let running = Running {
+    let running = WheelsetMotion {
         sides,
         flange_from,
         lubricated,

@@ -14,7 +14,7 @@ mod spikes;
 mod track;
 
 pub use no_scar::NoScar;
-pub use scar::{Scar, Unworn};
+pub use scar::{Scar, UnwornSurface};
 
 use super::heading::Heading;
 use super::plane::Height;

@@ -11,14 +11,14 @@ use super::{NoScar, Surface, rough};
 
 /// What a surface was before it was worn.
 #[derive(Clone, Copy)]
-pub struct Unworn<'a> {
+pub struct UnwornSurface<'a> {
     /// Height (m) out of the material at a place (m) from the middle of the contact; not a number beyond the body.
     pub height: &'a dyn Fn([f64; 2]) -> f64,
     /// Axes along which the scar runs on beyond a map, as a track does.
     pub through: [bool; 2],
 }
 
-impl<'a> Unworn<'a> {
+impl<'a> UnwornSurface<'a> {
     /// Of a body of that shape that passes along an axis (0: x, 1: y), or along none.
     pub fn passing(height: &'a dyn Fn([f64; 2]) -> f64, axis: Option<usize>) -> Self {
         Self { height, through: [0, 1].map(|own| axis == Some(own)) }
@@ -62,7 +62,7 @@ impl Scar {
     ///
     /// # Errors
     /// If none stands out, nothing lies next to it, or it is not told well enough.
-    pub fn find(surface: &Surface, unworn: Unworn<'_>) -> Result<Self, NoScar> {
+    pub fn find(surface: &Surface, unworn: UnwornSurface<'_>) -> Result<Self, NoScar> {
         let mut middle = [0, 1].map(|axis| surface.extent(axis).iter().sum::<f64>() / 2.0);
         let mut level = surface.rough_level(&surface.less(unworn, middle))?;
         let rounding = step(&surface.heights) / 12f64.sqrt();
@@ -85,7 +85,7 @@ impl Scar {
     }
 
     /// What is worn off at each reading (m), and its place from the middle of the scar.
-    pub fn depths(&self, surface: &Surface, unworn: Unworn<'_>) -> Vec<Height> {
+    pub fn depths(&self, surface: &Surface, unworn: UnwornSurface<'_>) -> Vec<Height> {
         let [x, y] = self.middle;
         let less = surface.less(unworn, self.middle).into_iter();
         let depth = |own: Height| [own[0] - x, own[1] - y, -self.plane.above(&own)];
@@ -121,7 +121,7 @@ impl Level {
 
 impl Surface {
     /// Heights less those of the unworn body around a middle.
-    fn less(&self, unworn: Unworn<'_>, middle: [f64; 2]) -> Vec<Height> {
+    fn less(&self, unworn: UnwornSurface<'_>, middle: [f64; 2]) -> Vec<Height> {
         let one = |cell: usize| {
             let [x, y, z] = self.at(cell);
             [x, y, z - (unworn.height)([x - middle[0], y - middle[1]])]
@@ -158,7 +158,7 @@ impl Surface {
     }
 
     /// What is worn off at each cell (m); not a number in gaps.
-    fn depths(&self, unworn: Unworn<'_>, middle: [f64; 2], level: &Level) -> Vec<f64> {
+    fn depths(&self, unworn: UnwornSurface<'_>, middle: [f64; 2], level: &Level) -> Vec<f64> {
         self.less(unworn, middle).iter().map(|own| -level.plane.above(own)).collect()
     }
 
@@ -223,7 +223,7 @@ impl Surface {
     /// What is worn off, once it is known where.
     fn measure(
         &self,
-        unworn: Unworn<'_>,
+        unworn: UnwornSurface<'_>,
         (middle, level): ([f64; 2], Level),
         piece: [[usize; 2]; 2],
     ) -> Result<Scar, NoScar> {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{NoScar, Scar, Surface, Unworn};
+use super::{NoScar, Scar, Surface, UnwornSurface};
 use crate::measured::Table;
 
 /// Numbers of a normal distribution, by Box and Muller.
@@ -61,8 +61,8 @@ fn failing(middle: [f64; 2], mut off: impl FnMut(f64, f64) -> f64, random: &mut 
     surface("x [mm],y [mm],z [um]", rows.into_iter())
 }
 
-const FLAT: Unworn<'_> = Unworn { height: &|_| 0.0, through: [false; 2] };
-const BALL: Unworn<'_> = Unworn { height: &sphere, through: [false; 2] };
+const FLAT: UnwornSurface<'_> = UnwornSurface { height: &|_| 0.0, through: [false; 2] };
+const BALL: UnwornSurface<'_> = UnwornSurface { height: &sphere, through: [false; 2] };
 
 #[test]
 fn the_volume_of_a_worn_ball_is_that_of_the_bowl() {
@@ -106,7 +106,7 @@ fn a_track_runs_through_its_map() {
         }
     }
     let map = surface("x [mm],y [mm],z [um]", rows.into_iter());
-    let track = Unworn { through: [true, false], ..FLAT };
+    let track = UnwornSurface { through: [true, false], ..FLAT };
     let scar = Scar::find(&map, track).unwrap();
     let section = 4.0 / 3.0 * DEPTH * HALF;
     assert!((scar.worn - section).abs() < 4.0 * scar.uncertainty, "{scar:?}");
@@ -127,7 +127,8 @@ fn surfaces_without_a_scar_are_refused() {
     // Nothing is worn; depths for heights; a ball whose shape was taken off.
     let flat = Scar::find(&made(&|_| 0.0), FLAT);
     let pile = Scar::find(&made(&|x| 2.0 * (1.0 - (x / 100.0).powi(2)).max(0.0)), FLAT);
-    let shape = Scar::find(&made(&|_| 0.0), Unworn { height: &|[x, _]| -100.0 * x * x, ..FLAT });
+    let shape =
+        Scar::find(&made(&|_| 0.0), UnwornSurface { height: &|[x, _]| -100.0 * x * x, ..FLAT });
     for refused in [flat, pile, shape] {
         let said = refused.unwrap_err().to_string();
         assert!(said.contains("units") || said.contains("lies beside it"), "{said}");
@@ -227,7 +228,8 @@ fn few_readings_across_a_groove_tell_it_as_well_as_is_stated() {
                 .collect();
             let map = surface("x [mm],y [mm],z [um]", rows.into_iter());
             for surface in [profile, map] {
-                let scar = Scar::find(&surface, Unworn { through: [true, false], ..FLAT }).unwrap();
+                let scar =
+                    Scar::find(&surface, UnwornSurface { through: [true, false], ..FLAT }).unwrap();
                 let off = (scar.worn - SECTION).abs();
                 assert!(off < 2.0 * scar.uncertainty, "{across} {phase}: {scar:?}");
                 assert!(scar.uncertainty < most * SECTION, "{across}: {scar:?}");
@@ -253,7 +255,7 @@ fn a_track_is_measured_square_to_it() {
             })
             .collect();
         let map = surface("x [mm],y [mm],z [um]", rows.into_iter());
-        Scar::find(&map, Unworn { through: [true, false], ..FLAT })
+        Scar::find(&map, UnwornSurface { through: [true, false], ..FLAT })
     };
     for (degrees, columns) in
         [(0.0, 1), (0.0, 2), (0.0, 3), (0.0, 4), (-5.0, 1), (20.0, 3), (30.0, 30)]

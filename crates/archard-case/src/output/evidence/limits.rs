@@ -9,7 +9,7 @@ use super::{keep, worst};
 use crate::verdict::{self, Line};
 use archard::body::Body;
 use archard::body::profile::Round;
-use archard::estimate::Conforming;
+use archard::estimate::ConformingEdge;
 use archard::frame::{ContactFrame, VectorField};
 use archard::problem::{ContactProblem, Flash};
 use archard::simulation::Report;
@@ -95,7 +95,7 @@ impl Limits {
                 worst_of(&mut self.radius, x.max(y) * sharpest, body);
             }
         }
-        let conforming = Conforming::of(&problem.bodies, [x, y]);
+        let conforming = ConformingEdge::of(&problem.bodies, [x, y]);
         let conforming = conforming.filter(|_| !problem.bodies.iter().any(is_meshed));
         worst(&mut self.form, conforming.map(|own| own.form));
         worst(&mut self.slope, conforming.map(|own| own.slope));

@@ -1,6 +1,6 @@
 //! What the stations lose that a long table leaves out.
 
-use archard::motion::{Merged, Table};
+use archard::motion::{StationLoss, Table};
 use serde::{Deserialize, Serialize};
 
 use crate::verdict::{self, Line};
@@ -21,7 +21,7 @@ pub(crate) struct Stations {
 impl Stations {
     /// Those of a table; `None` where none are left out.
     pub fn of(table: &Table) -> Option<Self> {
-        let Merged { rows, loss, displaced, apart, .. } = table.merged()?;
+        let StationLoss { rows, loss, displaced, apart, .. } = table.merged()?;
         Some(Self { counts: [table.rows().len(), rows], loss, displaced, apart })
     }
 

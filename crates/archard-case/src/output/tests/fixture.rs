@@ -10,7 +10,7 @@ use archard::frame::{ContactFrame, Direction, VectorField};
 use archard::friction::{FRICTION as FRICTION_LAWS, Grip};
 use archard::motion::{Control, Drive, MOTIONS, Rolling, Sequence, Slip, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState, Surface, Tangential, Unworn};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential, UnwornRecess};
 use archard::simulation::{Effort, Observer, Report};
 use archard::wear::WEAR_LAWS;
 
@@ -92,7 +92,7 @@ impl Run {
                 compliance: Arc::new(Stiff),
                 friction: None,
                 motion: build(MOTIONS, "sliding", &motion).0,
-                unworn: Unworn::default(),
+                unworn: UnwornRecess::default(),
             },
         }
     }
@@ -153,7 +153,7 @@ impl Run {
                     build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]).into(),
                 ),
                 motion: planned.expect("a motion").0,
-                unworn: Unworn::default(),
+                unworn: UnwornRecess::default(),
             },
         }
     }

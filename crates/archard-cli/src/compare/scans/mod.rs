@@ -34,7 +34,7 @@ struct Compared<'a> {
 }
 
 /// What is worn between two scans, for a program that shows it by itself.
-pub struct Found {
+pub struct ScanWear {
     /// What the command prints.
     pub lines: Vec<String>,
     /// All numbers, in SI.
@@ -64,11 +64,15 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
 }
 
 /// What is worn between two maps of these names.
-pub fn found(maps: &[HeightMap; 2], names: [String; 2], scans: &Scans) -> Result<Found, Failure> {
+pub fn found(
+    maps: &[HeightMap; 2],
+    names: [String; 2],
+    scans: &Scans,
+) -> Result<ScanWear, Failure> {
     let compared = Compared::of(maps, names, scans)?;
     let (lines, numbers) = (compared.lines(), compared.json());
     let Difference { change, regions, .. } = compared.found;
-    Ok(Found { lines, numbers, change, regions })
+    Ok(ScanWear { lines, numbers, change, regions })
 }
 
 impl<'a> Compared<'a> {

@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::wear::{Archard, Power, WearLaw};
 
-use super::super::{ANGLES, Cam, Follower, Lift, Loading, Profile, Worn};
+use super::super::{ANGLES, Cam, Follower, Lift, Loading, Profile, WornCam};
 use super::{Limit, POINTS, Sweep};
 
 const K: f64 = 1e-16;
@@ -33,7 +33,7 @@ fn depth(cam: &Cam, body: usize, place: f64) -> f64 {
 }
 
 /// The depth at a node (rad, m) of what is worn, straight between nodes.
-fn worn_at(worn: &Worn, body: usize, node: f64) -> [f64; 2] {
+fn worn_at(worn: &WornCam, body: usize, node: f64) -> [f64; 2] {
     let nodes = &worn.nodes[body];
     let next = nodes.partition_point(|known| *known <= node).clamp(1, nodes.len() - 1);
     let share = (node - nodes[next - 1]) / (nodes[next] - nodes[next - 1]);

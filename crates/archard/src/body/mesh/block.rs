@@ -3,9 +3,9 @@
 use super::axis::{Axis, Fading, places};
 use super::builder::Builder;
 use super::contact::{self, Contact, Divisions, ENOUGH, Layout, MOST_ELEMENTS};
-use super::free::{self, Supported};
+use super::free::{self, SupportedSurfaces};
 use super::tensor::{self, SIDES};
-use super::{MeshError, Meshed, Shape, Zone};
+use super::{ContactMesh, MeshError, Shape, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
@@ -49,7 +49,11 @@ const MANY: usize = 1000;
 const SHARE: f64 = 0.8;
 
 impl Shape for Block {
-    fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError> {
+    fn mesh(
+        &self,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Result<ContactMesh, MeshError> {
         self.check(mirrored, held)?;
         let [x, y, depths] = self.axes(mirrored, held);
         let z: Vec<f64> = depths.places.iter().rev().map(|depth| -depth).collect();
@@ -62,10 +66,10 @@ impl Shape for Block {
             }
             Layout::Even(_) => Zone::default(),
         };
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() })
+        Ok(ContactMesh { mesh: builder.finish(), zone, placed: false, ..ContactMesh::default() })
     }
 
-    fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], held: &SupportedSurfaces) -> usize {
         // What cannot be made has no elements.
         if self.check(mirrored, held).is_err() {
             return 0;
@@ -73,7 +77,12 @@ impl Shape for Block {
         elements(self.axes(mirrored, held).map(|axis| axis.places.len() - 1), mirrored)
     }
 
-    fn slenderness(&self, _: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
+    fn slenderness(
+        &self,
+        _: &ContactMesh,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Option<f64> {
         let widths = self.axes(mirrored, held).map(|axis| axis.widest());
         let beside = |axis: usize| {
             let along = (0..3).filter(|&other| other != axis).map(|other| widths[other]);
@@ -86,8 +95,8 @@ impl Shape for Block {
         &self,
         rectangle: Option<[[f64; 2]; 2]>,
         mirrored: [bool; 2],
-        held: &Supported,
-    ) -> Option<Meshed> {
+        held: &SupportedSurfaces,
+    ) -> Option<ContactMesh> {
         let [centre, size] = rectangle.unwrap_or_default();
         let size = [0, 1].map(|axis| 2.0 * centre[axis].abs() + size[axis]);
         let [beside_x, beside_y] = [0, 1].map(|axis| 0.5 * (self.size[axis] - size[axis]));
@@ -118,7 +127,7 @@ impl Shape for Block {
         let mut builder = Builder::new(self.size.into_iter().fold(0.0, f64::max));
         let axes = [&x.places[..], &y.places, &z];
         tensor::block(&mut builder, axes, mirrored, SIDES, |place| place);
-        Some(Meshed { mesh: builder.finish(), placed: false, ..Meshed::default() })
+        Some(ContactMesh { mesh: builder.finish(), placed: false, ..ContactMesh::default() })
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {
@@ -134,7 +143,7 @@ fn elements([x, y, z]: [usize; 3], mirrored: [bool; 2]) -> usize {
 
 impl Block {
     /// An error where a plane of symmetry would halve elements.
-    fn check(&self, mirrored: [bool; 2], held: &Supported) -> Result<(), MeshError> {
+    fn check(&self, mirrored: [bool; 2], held: &SupportedSurfaces) -> Result<(), MeshError> {
         let Layout::Even(Divisions::Along(count)) = self.layout else {
             return self.layout.check(mirrored);
         };
@@ -149,7 +158,7 @@ impl Block {
     }
 
     /// Divisions along x and y, and downwards.
-    fn axes(&self, mirrored: [bool; 2], held: &Supported) -> [Axis; 3] {
+    fn axes(&self, mirrored: [bool; 2], held: &SupportedSurfaces) -> [Axis; 3] {
         match self.layout {
             Layout::Contact(contact) => self.graded(&contact, mirrored, held),
             Layout::Even(divisions) => self.even(self.counts(divisions, mirrored, held), mirrored),
@@ -157,7 +166,12 @@ impl Block {
     }
 
     /// Divisions along x and y, and downwards, that grow away from the zone.
-    fn graded(&self, contact: &Contact, mirrored: [bool; 2], held: &Supported) -> [Axis; 3] {
+    fn graded(
+        &self,
+        contact: &Contact,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> [Axis; 3] {
         let longest = self.longest(held);
         let [x, y] = [0, 1].map(|axis| {
             let growth = contact.growth(longest[axis]);
@@ -172,7 +186,7 @@ impl Block {
     }
 
     /// The longest elements (m) along x, y and z that bending allows.
-    fn longest(&self, held: &Supported) -> [f64; 3] {
+    fn longest(&self, held: &SupportedSurfaces) -> [f64; 3] {
         let mut longest = [f64::INFINITY; 3];
         for (axis, thickness) in self.size.into_iter().enumerate() {
             if !self.bends(axis, held) {
@@ -188,18 +202,18 @@ impl Block {
     }
 
     /// Whether the thickness along an axis bends.
-    fn bends(&self, axis: usize, held: &Supported) -> bool {
+    fn bends(&self, axis: usize, held: &SupportedSurfaces) -> bool {
         !self.held_across(axis, held) && free::bends(self.size[axis], self.span(axis, held))
     }
 
     /// Whether a side across an axis is held along it, so that the block cannot bend about the others.
-    fn held_across(&self, axis: usize, held: &Supported) -> bool {
+    fn held_across(&self, axis: usize, held: &SupportedSurfaces) -> bool {
         ACROSS[axis].iter().any(|side| held.along(side, axis))
     }
 
     /// How far (m) the block reaches from sides that are held, along an axis and the thickness of another;
     /// nothing where no side is held.
-    fn span(&self, thickness: usize, held: &Supported) -> f64 {
+    fn span(&self, thickness: usize, held: &SupportedSurfaces) -> f64 {
         let sides = (0..3)
             .filter(|&axis| axis != thickness && ACROSS[axis].iter().any(|side| held.at(side)));
         sides.map(|axis| self.size[axis]).reduce(f64::min).unwrap_or(0.0)
@@ -207,7 +221,7 @@ impl Block {
 
     /// The edge (m) that divisions count on, and the axes whose edges are that long, or thin layers held
     /// underneath, which are divided by themselves.
-    fn counted(&self, held: &Supported) -> (f64, [bool; 3]) {
+    fn counted(&self, held: &SupportedSurfaces) -> (f64, [bool; 3]) {
         let shortest = self.size.into_iter().fold(f64::INFINITY, f64::min);
         let layer =
             [0, 1, 2].map(|axis| self.size[axis] == shortest && self.held_across(axis, held));
@@ -217,7 +231,12 @@ impl Block {
     }
 
     /// Equal elements along x, y and z.
-    fn counts(&self, divisions: Divisions, mirrored: [bool; 2], held: &Supported) -> [usize; 3] {
+    fn counts(
+        &self,
+        divisions: Divisions,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> [usize; 3] {
         let (edge, counted) = self.counted(held);
         // As many as make elements no longer than that, an even number where a plane of symmetry halves them.
         let follow = |axis: usize, count: usize, longest: f64| {

@@ -8,7 +8,7 @@ use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use glam::DVec3;
 
-use super::Meshed;
+use super::ContactMesh;
 use crate::numerics::WRITTEN;
 
 /// What the polynomial may be off by, of the heights it explains, and how much of the curvature may twist.
@@ -19,7 +19,7 @@ const STRAIGHT: f64 = 0.01;
 const FEWEST: usize = 8;
 const MANY: usize = 24;
 
-impl Meshed {
+impl ContactMesh {
     /// The axes of the plane of contact, the outward normal of the zone the third of them; `None` without a zone.
     pub fn axes(&self, mirrored: [bool; 2]) -> Option<[DVec3; 3]> {
         let area = |&face: &usize| DVec3::from(self.mesh.area_vector(face));

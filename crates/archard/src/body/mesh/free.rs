@@ -20,9 +20,9 @@ pub(super) const LEAST: f64 = 1e-4;
 
 /// The surfaces where displacements are known, each with the axes along which they are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Supported(Vec<(String, [bool; 3])>);
+pub struct SupportedSurfaces(Vec<(String, [bool; 3])>);
 
-impl Supported {
+impl SupportedSurfaces {
     /// Whether displacements are known on a surface.
     pub(super) fn at(&self, surface: &str) -> bool {
         self.0.iter().any(|(name, _)| name == surface)
@@ -34,7 +34,7 @@ impl Supported {
     }
 }
 
-impl FromIterator<(String, [bool; 3])> for Supported {
+impl FromIterator<(String, [bool; 3])> for SupportedSurfaces {
     fn from_iter<T: IntoIterator<Item = (String, [bool; 3])>>(surfaces: T) -> Self {
         Self(surfaces.into_iter().filter(|(_, along)| along.contains(&true)).collect())
     }

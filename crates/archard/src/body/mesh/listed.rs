@@ -7,7 +7,7 @@ use super::{Mesh, Zone};
 /// A surface of a mesh.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
-pub struct Listed {
+pub struct MeshSurface {
     /// Its name.
     pub name: String,
     /// How many elements it has.
@@ -22,7 +22,7 @@ pub struct Listed {
 
 impl Mesh {
     /// All surfaces that have elements, in their order.
-    pub fn listed(&self, zone: &Zone) -> Vec<Listed> {
+    pub fn listed(&self, zone: &Zone) -> Vec<MeshSurface> {
         let mut faces: Vec<Vec<usize>> = vec![vec![]; self.surfaces.len()];
         for (face, element) in self.faces.iter().enumerate() {
             faces[element.surface].push(face);
@@ -36,14 +36,14 @@ impl Mesh {
                 let elements = faces.len();
                 let [low, high] = self.bounds(faces);
                 let (middle, size) = ((0.5 * (low + high)).to_array(), (high - low).to_array());
-                Listed { name: name.clone(), elements, touching, middle, size }
+                MeshSurface { name: name.clone(), elements, touching, middle, size }
             })
             .collect()
     }
 }
 
 /// "96 on `top`, 40 x 30 x 0 mm around (0, 0, 20) mm".
-impl Display for Listed {
+impl Display for MeshSurface {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Self { name, elements, touching, middle, size } = self;
         let most = size.iter().chain(middle).fold(0.0_f64, |most, value| most.max(value.abs()));

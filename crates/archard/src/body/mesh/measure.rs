@@ -1,6 +1,6 @@
 //! Areas and enclosed volumes.
 
-use super::{Corners, Mesh, Meshed};
+use super::{ContactMesh, Corners, Mesh};
 use crate::numerics::SAME;
 
 impl Mesh {
@@ -70,7 +70,7 @@ impl Mesh {
     }
 }
 
-impl Meshed {
+impl ContactMesh {
     /// Whether the elements of the zone lie in one plane, or in parallel ones.
     pub fn has_plane_zone(&self) -> bool {
         let mut normals = self.zone.faces.iter().map(|&face| {

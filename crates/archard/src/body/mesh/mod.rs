@@ -39,13 +39,13 @@ pub use file::MeshFileError;
 #[doc(hidden)]
 pub use file::{Fault, Place};
 #[doc(hidden)]
-pub use free::Supported;
+pub use free::SupportedSurfaces;
 #[doc(hidden)]
-pub use listed::Listed;
+pub use listed::MeshSurface;
 #[doc(hidden)]
-pub use reduced::Reduced;
+pub use reduced::ReducedMatrix;
 #[doc(hidden)]
-pub use volume::Inverted;
+pub use volume::InvertedElement;
 pub use volume::Volume;
 
 pub use curvatures::axes;
@@ -108,7 +108,7 @@ pub struct Zone {
 /// A surface with the part of it that may touch.
 #[non_exhaustive]
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Meshed {
+pub struct ContactMesh {
     /// The surface of the body.
     pub mesh: Mesh,
     /// The part that may touch; without elements where the body says nothing of contact.
@@ -119,7 +119,7 @@ pub struct Meshed {
     /// What is inside, its surface triangle by triangle that of the mesh; where a file says.
     pub volume: Option<Arc<Volume>>,
     /// How its nodes give way; where a file says.
-    pub reduced: Option<Arc<Reduced>>,
+    pub reduced: Option<Arc<ReducedMatrix>>,
 }
 
 /// A body whose surface can be divided into elements.
@@ -129,13 +129,19 @@ pub trait Shape: Debug + Send + Sync {
     ///
     /// # Errors
     /// If the elements asked for cannot be made.
-    fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError>;
+    fn mesh(&self, mirrored: [bool; 2], held: &SupportedSurfaces)
+    -> Result<ContactMesh, MeshError>;
 
     /// A number of elements that the mesh has at least, known without making it.
-    fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize;
+    fn at_least(&self, mirrored: [bool; 2], held: &SupportedSurfaces) -> usize;
 
     /// The longest element along a free span over the thickness that bends there; `None` where nothing bends.
-    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
+    fn slenderness(
+        &self,
+        meshed: &ContactMesh,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Option<f64>;
 
     /// A mesh that is coarse everywhere, for an image field of a load on a rectangle of that centre and size (m), or on one
     /// that is not known yet, below z = 0; `None` where the rectangle lies on no flat face, or an edge is so close that elements at it are more than any mesh has.
@@ -143,8 +149,8 @@ pub trait Shape: Debug + Send + Sync {
         &self,
         _rectangle: Option<[[f64; 2]; 2]>,
         _mirrored: [bool; 2],
-        _held: &Supported,
-    ) -> Option<Meshed> {
+        _held: &SupportedSurfaces,
+    ) -> Option<ContactMesh> {
         None
     }
 
@@ -153,7 +159,7 @@ pub trait Shape: Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`Shape::mesh`].
-    fn filled(&self) -> Option<Result<Meshed, MeshError>> {
+    fn filled(&self) -> Option<Result<ContactMesh, MeshError>> {
         None
     }
 

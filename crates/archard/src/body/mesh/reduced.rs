@@ -11,7 +11,7 @@ pub enum Holds {
 
 /// The stiffness or flexibility of a body reduced to some of its nodes, symmetric.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reduced {
+pub struct ReducedMatrix {
     /// What the matrix holds.
     pub holds: Holds,
     /// Of each row the node, as the file numbers it, and the direction: 0 to 2 for x, y and z; others are rotations or shapes of
@@ -25,7 +25,7 @@ pub struct Reduced {
     pub rounding: f64,
 }
 
-impl Reduced {
+impl ReducedMatrix {
     /// Number of rows.
     pub fn size(&self) -> usize {
         self.labels.len()

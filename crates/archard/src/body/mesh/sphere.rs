@@ -11,7 +11,7 @@ use super::contact::{self, Contact, Layout};
 use super::free;
 use super::rings::{Ray, Rings, distance, widest_angle};
 use super::tensor::{block, patch};
-use super::{MeshError, Meshed, Shape, Supported, Zone};
+use super::{ContactMesh, MeshError, Shape, SupportedSurfaces, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
@@ -60,7 +60,11 @@ struct Sphere {
 }
 
 impl Shape for Sphere {
-    fn mesh(&self, mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
+    fn mesh(
+        &self,
+        mirrored: [bool; 2],
+        _held: &SupportedSurfaces,
+    ) -> Result<ContactMesh, MeshError> {
         self.layout.check(mirrored)?;
         let mut builder = Builder::new(self.radius);
         let angle = widest_angle(self.radius, self.radius - self.inner.unwrap_or(0.0));
@@ -89,10 +93,10 @@ impl Shape for Sphere {
             }
             builder.turn(first);
         }
-        Ok(Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() })
+        Ok(ContactMesh { mesh: builder.finish(), zone, placed: false, ..ContactMesh::default() })
     }
 
-    fn at_least(&self, mirrored: [bool; 2], _held: &Supported) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], _held: &SupportedSurfaces) -> usize {
         match self.layout {
             Layout::Contact(contact) => contact.kept(mirrored).into_iter().product(),
             Layout::Even(divisions) => {
@@ -105,7 +109,7 @@ impl Shape for Sphere {
     }
 
     /// Its one or two surfaces leave no free span: what is held is one side of the wall.
-    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Supported) -> Option<f64> {
+    fn slenderness(&self, _: &ContactMesh, _: [bool; 2], _: &SupportedSurfaces) -> Option<f64> {
         None
     }
 

@@ -7,8 +7,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::free::{self, Supported};
-use super::{Mesh, Meshed};
+use super::free::{self, SupportedSurfaces};
+use super::{ContactMesh, Mesh};
 use crate::numerics::{SAME, WRITTEN};
 
 /// Share of the surface that may have longer elements: at sharp edges any element is longer than the body is thick,
@@ -29,7 +29,11 @@ struct Side {
 }
 
 /// The longest element against the thickness that bends below it, all but a few; `None` where nothing bends.
-pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
+pub(super) fn longest(
+    meshed: &ContactMesh,
+    mirrored: [bool; 2],
+    held: &SupportedSurfaces,
+) -> Option<f64> {
     let mesh = &meshed.mesh;
     let own: Vec<Side> = (0..mesh.faces.len()).map(|face| side(mesh, face, held)).collect();
     let held_at: Vec<DVec3> = own.iter().filter(|one| one.held).map(|one| one.middle).collect();
@@ -53,7 +57,7 @@ pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Supported) ->
     beyond.map(|(longest, _)| *longest)
 }
 
-fn side(mesh: &Mesh, face: usize, held: &Supported) -> Side {
+fn side(mesh: &Mesh, face: usize, held: &SupportedSurfaces) -> Side {
     let corners = mesh.faces[face].corners.as_slice().iter();
     let corners: Vec<DVec3> = corners.map(|&corner| mesh.vertices[corner].into()).collect();
     let next = corners.iter().cycle().skip(1);
@@ -115,21 +119,21 @@ fn hit(from: DVec3, along: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::super::free::Supported;
-    use super::super::{MESHES, Meshed};
+    use super::super::free::SupportedSurfaces;
+    use super::super::{ContactMesh, MESHES};
     use super::longest;
     use crate::parameters::{Value, Values};
 
     /// A box of so many divisions.
-    fn cuboid(size: [f64; 3], divisions: [f64; 3], mirrored: [bool; 2]) -> Meshed {
+    fn cuboid(size: [f64; 3], divisions: [f64; 3], mirrored: [bool; 2]) -> ContactMesh {
         let mut values = Values::default();
         values.insert("size", Value::Triple(size));
         values.insert("divisions", Value::Triple(divisions));
         let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
-        (choice.build)(&values).unwrap().mesh(mirrored, &Supported::default()).unwrap()
+        (choice.build)(&values).unwrap().mesh(mirrored, &SupportedSurfaces::default()).unwrap()
     }
 
-    fn held(surfaces: &[&str]) -> Supported {
+    fn held(surfaces: &[&str]) -> SupportedSurfaces {
         surfaces.iter().map(|name| ((*name).to_owned(), [true; 3])).collect()
     }
 

@@ -26,7 +26,7 @@ pub struct Volume {
 
 /// A tetrahedron that is turned inside out or has no volume, by the places of its corners.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Inverted {
+pub struct InvertedElement {
     /// Its number among the tetrahedra, the first being 0.
     pub element: usize,
 }
@@ -107,13 +107,13 @@ impl Volume {
     }
 
     /// A tetrahedron that is turned inside out somewhere.
-    pub fn inverted(&self) -> Option<Inverted> {
+    pub fn inverted(&self) -> Option<InvertedElement> {
         let upright = |element: &[usize; 10]| {
             let places = element.map(|node| DVec3::from(self.nodes[node]));
             points().into_iter().all(|(at, _)| turn(&places, at).determinant() > 0.0)
         };
         let element = self.elements.iter().position(|element| !upright(element))?;
-        Some(Inverted { element })
+        Some(InvertedElement { element })
     }
 
     /// The same, moved along z (m), or turned over at z = 0 behind that.

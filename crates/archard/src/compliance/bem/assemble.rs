@@ -17,13 +17,13 @@ use pulp::Arch;
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, blocks};
-use super::conditions::{Conditions, Given};
+use super::conditions::{AxisCondition, Conditions};
 use super::curvature::{Share, curvatures};
 use super::element::CURVATURES;
 use super::integrate::NODES;
 use super::kelvin::{Evaluations, Kelvin};
 use super::loads::Loads;
-use super::making::{Parts, Told};
+use super::making::{Listener, Parts};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
 use super::surface::Surface;
@@ -70,7 +70,7 @@ impl<'a> Assembly<'a> {
     ) -> Self {
         let is_loaded = |traction: usize| {
             let given = conditions.tractions[traction].given;
-            given.iter().any(|given| *given != Given::Traction(0.0))
+            given.iter().any(|given| *given != AxisCondition::Traction(0.0))
         };
         let loaded = (0..surface.patches.len())
             .map(|face| surface.tractions_of(face).any(is_loaded))
@@ -101,7 +101,7 @@ impl<'a> Assembly<'a> {
     ///
     /// # Errors
     /// If there is no memory for them.
-    pub fn system(&self, told: Told<'_>) -> Result<System, NoMemory> {
+    pub fn system(&self, told: Listener<'_>) -> Result<System, NoMemory> {
         let unknowns = self.surface.unknowns();
         let mut matrix = Large::zeros(unknowns, unknowns)?;
         let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len())?;
@@ -160,7 +160,7 @@ impl Rows<'_> {
                 condition.basis.iter().zip(condition.given).enumerate()
             {
                 match given {
-                    Given::Traction(traction) => {
+                    AxisCondition::Traction(traction) => {
                         let others = loads.iter().flat_map(|loads| {
                             loads.tractions[3 * local.traction + direction].iter()
                         });
@@ -173,13 +173,13 @@ impl Rows<'_> {
                             }
                         }
                     }
-                    Given::Contact => {
+                    AxisCondition::Contact => {
                         if let Some(column) = conditions.contact_column[local.traction] {
                             let column = self.contact.as_mut().col_mut(3 * column + direction);
                             add(displacements, *unit_vector, 1.0, column);
                         }
                     }
-                    Given::Displacement(_) => {
+                    AxisCondition::Displacement(_) => {
                         let node = &conditions.nodes[local.node];
                         for own in 0..3 {
                             if let Some(known) = node.known[own]

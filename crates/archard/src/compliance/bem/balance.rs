@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::conditions::{Conditions, Given};
+use super::conditions::{AxisCondition, Conditions};
 use super::element::evaluate;
 use super::rules::{OF_AREAS, Places, Rules};
 use super::solid::Boundary;
@@ -107,7 +107,7 @@ pub fn forces(surface: &Surface, conditions: &Conditions, boundary: &Boundary) -
 fn given(conditions: &Conditions, node: usize, traction: DVec3) -> DVec3 {
     let condition = &conditions.tractions[node];
     let along = condition.basis.iter().zip(condition.given);
-    let given = along.filter(|(_, given)| !matches!(given, Given::Displacement(_)));
+    let given = along.filter(|(_, given)| !matches!(given, AxisCondition::Displacement(_)));
     given.map(|(along, _)| along.dot(traction) * *along).sum()
 }
 

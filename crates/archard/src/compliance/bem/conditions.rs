@@ -7,7 +7,7 @@ use crate::numerics::SAME;
 
 /// What is known at a node along one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Given {
+pub enum AxisCondition {
     /// The traction (Pa).
     Traction(f64),
     /// The displacement (m).
@@ -22,34 +22,38 @@ pub struct Condition {
     /// Unit vectors, at right angles to each other.
     pub basis: [DVec3; 3],
     /// What is known along each.
-    pub given: [Given; 3],
+    pub given: [AxisCondition; 3],
 }
 
 impl Condition {
     /// The same kind along x, y and z.
-    pub fn along_axes(given: [Given; 3]) -> Self {
+    pub fn along_axes(given: [AxisCondition; 3]) -> Self {
         Self { basis: DVec3::AXES, given }
     }
 
     /// No traction.
     pub fn free() -> Self {
-        Self::along_axes([Given::Traction(0.0); 3])
+        Self::along_axes([AxisCondition::Traction(0.0); 3])
     }
 
     /// No displacement.
     pub fn clamped() -> Self {
-        Self::along_axes([Given::Displacement(0.0); 3])
+        Self::along_axes([AxisCondition::Displacement(0.0); 3])
     }
 
     /// No displacement along a normal and no traction across it.
     pub fn roller(normal: DVec3) -> Self {
-        let given = [Given::Traction(0.0), Given::Traction(0.0), Given::Displacement(0.0)];
+        let given = [
+            AxisCondition::Traction(0.0),
+            AxisCondition::Traction(0.0),
+            AxisCondition::Displacement(0.0),
+        ];
         Self { basis: basis_of(normal), given }
     }
 
     /// A pressure (Pa) against a surface of that outward normal.
     pub fn pressed(normal: DVec3, pressure: f64) -> Self {
-        Self::along_axes((-pressure * normal).to_array().map(Given::Traction))
+        Self::along_axes((-pressure * normal).to_array().map(AxisCondition::Traction))
     }
 }
 
@@ -62,7 +66,7 @@ pub fn basis_of(normal: DVec3) -> [DVec3; 3] {
 
 /// Why what is known does not determine what is sought.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Undetermined {
+pub enum Indeterminacy {
     /// Displacements given on several surfaces meet at a node of continuous elements.
     #[error(
         "displacements are given on two surfaces that meet at ({:e}, {:e}, {:e}) m, where continuous elements know only one traction: use discontinuous elements",
@@ -128,7 +132,7 @@ impl Conditions {
         surface: &Surface,
         of: impl Fn(&TractionNode) -> Condition,
         contact: &[(usize, [DVec3; 3])],
-    ) -> Result<Self, Undetermined> {
+    ) -> Result<Self, Indeterminacy> {
         Self::of(surface, surface.tractions.iter().map(of).collect(), contact)
     }
 
@@ -140,10 +144,10 @@ impl Conditions {
         surface: &Surface,
         mut tractions: Vec<Condition>,
         contact: &[(usize, [DVec3; 3])],
-    ) -> Result<Self, Undetermined> {
+    ) -> Result<Self, Indeterminacy> {
         let mut contact_column = vec![None; tractions.len()];
         for (column, &(traction, basis)) in contact.iter().enumerate() {
-            tractions[traction] = Condition { basis, given: [Given::Contact; 3] };
+            tractions[traction] = Condition { basis, given: [AxisCondition::Contact; 3] };
             contact_column[traction] = Some(column);
         }
         let contact: Vec<usize> = contact.iter().map(|&(traction, _)| traction).collect();
@@ -151,7 +155,7 @@ impl Conditions {
         let columns = columns(surface, &contact);
         let conditions = Self { tractions, nodes, contact, contact_column, columns };
         let modes = super::rigid::free_modes(surface, &conditions);
-        if modes.is_empty() { Ok(conditions) } else { Err(Undetermined::Free { modes }) }
+        if modes.is_empty() { Ok(conditions) } else { Err(Indeterminacy::Free { modes }) }
     }
 }
 
@@ -161,7 +165,7 @@ impl Conditions {
         let mut tractions = vec![Condition::free(); surface.tractions.len()];
         let mut contact_column = vec![None; tractions.len()];
         for (column, &(traction, basis)) in contact.iter().enumerate() {
-            tractions[traction] = Condition { basis, given: [Given::Contact; 3] };
+            tractions[traction] = Condition { basis, given: [AxisCondition::Contact; 3] };
             contact_column[traction] = Some(column);
         }
         let contact: Vec<usize> = contact.iter().map(|&(traction, _)| traction).collect();
@@ -188,11 +192,11 @@ fn columns(surface: &Surface, contact: &[usize]) -> Vec<usize> {
 fn nodes_of(
     surface: &Surface,
     tractions: &[Condition],
-) -> Result<Vec<NodeCondition>, Undetermined> {
+) -> Result<Vec<NodeCondition>, Indeterminacy> {
     let free = NodeCondition { basis: DVec3::AXES, known: [None; 3] };
     let mut nodes = vec![free; surface.nodes.len()];
     let supports = |condition: &Condition| {
-        condition.given.iter().any(|given| matches!(given, Given::Displacement(_)))
+        condition.given.iter().any(|given| matches!(given, AxisCondition::Displacement(_)))
     };
     for (traction, condition) in tractions.iter().enumerate() {
         if !supports(condition) {
@@ -203,12 +207,12 @@ fn nodes_of(
         let surface_of = |traction: usize| surface.tractions[traction].surface;
         let other = at.known.iter().flatten().next().map_or(traction, |known| known.traction);
         let surfaces = [other, traction].map(surface_of);
-        let two = || Undetermined::TwoSupports { place: place.to_array(), surfaces };
+        let two = || Indeterminacy::TwoSupports { place: place.to_array(), surfaces };
         if at.known.iter().all(Option::is_none) {
             at.basis = condition.basis;
         }
         for (direction, given) in condition.basis.iter().zip(condition.given) {
-            let Given::Displacement(displacement) = given else { continue };
+            let AxisCondition::Displacement(displacement) = given else { continue };
             let index = at.basis.iter().position(|own| own.dot(*direction).abs() > 1.0 - SAME);
             let index = index.ok_or_else(two)?;
             if at.known[index].is_some() {

@@ -16,7 +16,7 @@ pub struct Loads {
 
 /// What loads make of a body.
 #[derive(Debug)]
-pub struct Loaded {
+pub struct LoadResponse {
     /// What is sought at its nodes: a column for what the conditions say, and one for each load.
     pub(super) sought: Mat<f64>,
     /// What tractions are multiplied by in the equations (m/Pa).
@@ -36,7 +36,7 @@ impl Loads {
     }
 }
 
-impl Loaded {
+impl LoadResponse {
     /// The displacement (m) under a load along a direction of the basis of a node, where it is sought.
     pub(super) fn displacement(
         &self,

@@ -16,7 +16,7 @@ pub enum Stage {
 
 /// How far a stage is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Making {
+pub struct StageProgress {
     /// Number of equations.
     pub equations: usize,
     /// The stage.
@@ -27,23 +27,23 @@ pub struct Making {
 
 /// Whoever is told, from any thread; nobody by default.
 #[derive(Clone, Copy, Default)]
-pub struct Told<'a>(Option<&'a (dyn Fn(Making) + Sync)>);
+pub struct Listener<'a>(Option<&'a (dyn Fn(StageProgress) + Sync)>);
 
-impl<'a> Told<'a> {
+impl<'a> Listener<'a> {
     /// Tells that function.
-    pub fn by(tell: &'a (dyn Fn(Making) + Sync)) -> Self {
+    pub fn by(tell: &'a (dyn Fn(StageProgress) + Sync)) -> Self {
         Self(Some(tell))
     }
 
     /// Tells how far a stage of so many equations is.
     pub(super) fn tell(self, equations: usize, stage: Stage, share: f64) {
         if let Some(tell) = self.0 {
-            tell(Making { equations, stage, share });
+            tell(StageProgress { equations, stage, share });
         }
     }
 }
 
-impl fmt::Debug for Told<'_> {
+impl fmt::Debug for Listener<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Told({})", if self.0.is_some() { "somebody" } else { "nobody" })
     }
@@ -51,14 +51,14 @@ impl fmt::Debug for Told<'_> {
 
 /// Counts parts of the assembly, which end on any thread.
 pub(super) struct Parts<'a> {
-    told: Told<'a>,
+    told: Listener<'a>,
     equations: usize,
     done: AtomicUsize,
     all: usize,
 }
 
 impl<'a> Parts<'a> {
-    pub fn new(told: Told<'a>, equations: usize, all: usize) -> Self {
+    pub fn new(told: Listener<'a>, equations: usize, all: usize) -> Self {
         told.tell(equations, Stage::Assembling, 0.0);
         Self { told, equations, done: AtomicUsize::new(0), all }
     }

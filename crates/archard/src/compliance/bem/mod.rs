@@ -25,15 +25,15 @@ mod surface;
 
 pub use alone::{evaluate_alone, integrate_alone};
 pub use balance::{Balance, forces};
-pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
+pub use conditions::{AxisCondition, Condition, Conditions, Indeterminacy, basis_of};
 pub use interior::{Interior, Response};
 pub use kelvin::Evaluations;
-pub use making::{Making, Stage, Told};
+pub use making::{Listener, Stage, StageProgress};
 pub use patch::distance;
 pub(crate) use rigid::left_free;
 pub use size::{Size, memory};
 pub use solid::advice;
-pub use solid::{Assembled, Boundary, Condensed, Responses, Solid};
+pub use solid::{AssembledBody, Boundary, CondensedBody, Responses, Solid};
 pub use surface::{Surface, TractionNode};
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::body::Interpolation;
-use crate::body::mesh::Meshed;
+use crate::body::mesh::ContactMesh;
 
 /// Numbers of unknowns of a body's equations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,13 +35,13 @@ fn factors(unknowns: usize) -> f64 {
 
 impl Size {
     /// That of finite elements inside a body; `None` where nothing says what is inside.
-    pub fn inside(meshed: &Meshed) -> Option<Self> {
+    pub fn inside(meshed: &ContactMesh) -> Option<Self> {
         let nodes = meshed.volume.as_ref()?.nodes.len();
         Some(Self { unknowns: 3 * nodes, contact: 0, sparse: true })
     }
 
     /// That of a meshed body.
-    pub fn of(Meshed { mesh, zone, .. }: &Meshed, interpolation: Interpolation) -> Self {
+    pub fn of(ContactMesh { mesh, zone, .. }: &ContactMesh, interpolation: Interpolation) -> Self {
         let zone = zone.faces.iter().map(|&face| &mesh.faces[face]);
         let (nodes, contact) = match interpolation {
             Interpolation::Discontinuous => (
@@ -129,10 +129,10 @@ pub fn memory(bodies: [Option<Size>; 2]) -> f64 {
 mod tests {
     use super::{Size, memory};
     use crate::body::Interpolation::{Continuous, Discontinuous};
-    use crate::body::mesh::{Corners, Face, Mesh, Meshed, Zone};
+    use crate::body::mesh::{ContactMesh, Corners, Face, Mesh, Zone};
 
     /// A closed wedge: two triangles and three quadrilaterals on six vertices; the zone is the top triangle.
-    fn wedge() -> Meshed {
+    fn wedge() -> ContactMesh {
         let triangle = |corners| Face { corners: Corners::Triangle(corners), surface: 0 };
         let quad = |corners| Face { corners: Corners::Quad(corners), surface: 1 };
         let faces = vec![
@@ -143,11 +143,11 @@ mod tests {
             quad([2, 0, 3, 5]),
         ];
         let mesh = Mesh { vertices: vec![[0.0; 3]; 6], faces, surfaces: vec![] };
-        Meshed {
+        ContactMesh {
             mesh,
             zone: Zone { faces: vec![0], grid: None },
             placed: true,
-            ..Meshed::default()
+            ..ContactMesh::default()
         }
     }
 

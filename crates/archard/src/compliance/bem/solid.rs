@@ -5,13 +5,13 @@ use glam::DVec3;
 
 use super::assemble::{Assembly, System};
 use super::balance::Balance;
-use super::conditions::{Condition, Conditions, Given};
+use super::conditions::{AxisCondition, Condition, Conditions};
 use super::kelvin::{Evaluations, Kelvin};
-use super::loads::{Loaded, Loads};
-use super::making::{Stage, Told};
+use super::loads::{LoadResponse, Loads};
+use super::making::{Listener, Stage};
 use super::surface::{Surface, TractionNode};
 use crate::body::Material;
-use crate::numerics::dense::{Lu, Unsolved};
+use crate::numerics::dense::{Lu, SolveError};
 use crate::numerics::large::{Large, NoMemory};
 
 /// A body with its factorised equations.
@@ -32,7 +32,7 @@ pub struct Responses {
 }
 
 /// A body whose equations are assembled.
-pub struct Assembled<'a> {
+pub struct AssembledBody<'a> {
     surface: &'a Surface,
     conditions: &'a Conditions,
     system: System,
@@ -50,7 +50,7 @@ pub struct Boundary {
 
 /// How a body answers to the tractions of its contact nodes.
 #[derive(Debug, Clone)]
-pub struct Condensed {
+pub struct CondensedBody {
     /// Displacement (m) of contact node i along direction d of its basis under a unit traction (Pa) at node
     /// j along direction e: row 3 i + d, column 3 j + e.
     pub compliance: Mat<f64>,
@@ -61,14 +61,14 @@ pub struct Condensed {
 }
 
 /// What to do about equations without a solution.
-pub fn advice(cause: &Unsolved) -> &'static str {
+pub fn advice(cause: &SolveError) -> &'static str {
     match cause {
-        Unsolved::Singular { .. } => "are elements degenerate?",
-        Unsolved::NoMemory(_) => "take fewer elements",
+        SolveError::Singular { .. } => "are elements degenerate?",
+        SolveError::NoMemory(_) => "take fewer elements",
     }
 }
 
-impl<'a> Assembled<'a> {
+impl<'a> AssembledBody<'a> {
     /// Assembles the equations, integrals to that relative tolerance.
     ///
     /// # Errors
@@ -79,7 +79,7 @@ impl<'a> Assembled<'a> {
         conditions: &'a Conditions,
         tolerance: f64,
     ) -> Result<Self, NoMemory> {
-        Self::telling((surface, conditions), material, tolerance, Told::default())
+        Self::telling((surface, conditions), material, tolerance, Listener::default())
     }
 
     /// The same, somebody told how far it is.
@@ -90,7 +90,7 @@ impl<'a> Assembled<'a> {
         (surface, conditions): (&'a Surface, &'a Conditions),
         material: &Material,
         tolerance: f64,
-        told: Told<'_>,
+        told: Listener<'_>,
     ) -> Result<Self, NoMemory> {
         let length = length_of(surface);
         let unit = length / material.shear_modulus();
@@ -113,7 +113,7 @@ impl<'a> Assembled<'a> {
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
         let assembly = Assembly::new(surface, conditions, (kelvin, unit), tolerance);
-        let system = assembly.under(loads).system(Told::default())?;
+        let system = assembly.under(loads).system(Listener::default())?;
         Ok(Self { surface, conditions, system, unit })
     }
 
@@ -126,7 +126,7 @@ impl<'a> Assembled<'a> {
     ///
     /// # Errors
     /// If they have no unique solution.
-    pub fn factorise(self) -> Result<Solid<'a>, Unsolved> {
+    pub fn factorise(self) -> Result<Solid<'a>, SolveError> {
         let Self { surface, conditions, system, unit } = self;
         let factors = Lu::new(system.matrix)?;
         let (contact, fixed) = (system.contact, system.fixed);
@@ -151,17 +151,17 @@ impl<'a> Solid<'a> {
         material: &Material,
         conditions: &'a Conditions,
         tolerance: f64,
-    ) -> Result<Self, Unsolved> {
-        Assembled::new(surface, material, conditions, tolerance)?.factorise()
+    ) -> Result<Self, SolveError> {
+        AssembledBody::new(surface, material, conditions, tolerance)?.factorise()
     }
 
     /// The compliance of the contact nodes.
-    pub fn condense(self) -> Condensed {
-        self.condense_telling(Told::default())
+    pub fn condense(self) -> CondensedBody {
+        self.condense_telling(Listener::default())
     }
 
     /// The same, somebody told how far it is.
-    pub fn condense_telling(self, told: Told<'_>) -> Condensed {
+    pub fn condense_telling(self, told: Listener<'_>) -> CondensedBody {
         /// Columns that are solved for at once: enough for products of matrices to be as quick as with all of them.
         const COLUMNS: usize = 512;
         let balance = self.balance();
@@ -204,7 +204,7 @@ impl<'a> Solid<'a> {
             unit * row(index, &|place| contact[(place, column)])
         });
         let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();
-        Condensed { compliance, free, balance }
+        CondensedBody { compliance, free, balance }
     }
 
     /// The worst balance under even loads of the zone: a traction along each direction, a pressure that grows
@@ -222,8 +222,10 @@ impl<'a> Solid<'a> {
         let mut worst = columns.fold(Balance::default(), Balance::worst);
         let given = |condition: &Condition| {
             condition.given.iter().any(|given| match given {
-                Given::Traction(value) | Given::Displacement(value) => *value != 0.0,
-                Given::Contact => false,
+                AxisCondition::Traction(value) | AxisCondition::Displacement(value) => {
+                    *value != 0.0
+                }
+                AxisCondition::Contact => false,
             })
         };
         if self.conditions.tractions.iter().any(given) {
@@ -269,10 +271,10 @@ impl<'a> Solid<'a> {
     }
 
     /// What loads besides what is known make of the body, each by itself.
-    pub fn loaded(self) -> Loaded {
+    pub fn loaded(self) -> LoadResponse {
         let Self { factors, mut fixed, unit, .. } = self;
         factors.solve_in_place(fixed.as_mut());
-        Loaded { sought: fixed, unit }
+        LoadResponse { sought: fixed, unit }
     }
 
     /// What every traction of contact makes of the body.
@@ -370,13 +372,15 @@ impl Known<'_> {
             let condition = &conditions.tractions[index];
             let node = &conditions.nodes[traction.node];
             let value = |direction: usize| match condition.given[direction] {
-                Given::Traction(traction) if loaded => traction * condition.basis[direction],
-                Given::Contact => {
+                AxisCondition::Traction(traction) if loaded => {
+                    traction * condition.basis[direction]
+                }
+                AxisCondition::Contact => {
                     let column = conditions.contact_column[index].unwrap_or_default();
                     let value = contact.get(3 * column + direction).copied().unwrap_or_default();
                     value * condition.basis[direction]
                 }
-                Given::Traction(_) | Given::Displacement(_) => DVec3::ZERO,
+                AxisCondition::Traction(_) | AxisCondition::Displacement(_) => DVec3::ZERO,
             };
             let given: DVec3 = (0..3).map(value).sum();
             let held = (0..3).filter(|&own| node.known[own].is_some_and(|k| k.traction == index));

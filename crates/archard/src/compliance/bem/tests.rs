@@ -5,8 +5,8 @@ use glam::{DMat3, DVec3};
 use std::sync::Mutex;
 
 use super::contact::{Job, condense};
-use super::{Condition, Conditions, Given, Making, Solid, Stage, Surface, Told};
-use crate::body::mesh::{Corners, Face, Mesh, Meshed, Zone};
+use super::{AxisCondition, Condition, Conditions, Listener, Solid, Stage, StageProgress, Surface};
+use crate::body::mesh::{ContactMesh, Corners, Face, Mesh, Zone};
 use crate::body::{Elasticity, Finite, Interpolation, Material};
 
 pub(super) const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
@@ -75,10 +75,10 @@ fn patch_test(mesh: &Mesh, interpolation: Interpolation, tolerance: f64) -> (f64
     let surface = Surface::new(mesh, interpolation, [false; 2]);
     let stress = stress(GRADIENT);
     let of = |node: &super::TractionNode| {
-        let (along, given): (DVec3, fn(f64) -> Given) = if node.surface == 4 {
-            (GRADIENT * node.place, Given::Displacement)
+        let (along, given): (DVec3, fn(f64) -> AxisCondition) = if node.surface == 4 {
+            (GRADIENT * node.place, AxisCondition::Displacement)
         } else {
-            (stress * node.normal, Given::Traction)
+            (stress * node.normal, AxisCondition::Traction)
         };
         Condition::along_axes(along.to_array().map(given))
     };
@@ -110,8 +110,12 @@ fn stages_are_told_in_their_order() {
         _ => Condition::free(),
     };
     let conditions = Conditions::new(&surface, held, &zone).expect("it is held");
-    let meshed =
-        Meshed { mesh: mesh.clone(), zone: Zone::default(), placed: true, ..Meshed::default() };
+    let meshed = ContactMesh {
+        mesh: mesh.clone(),
+        zone: Zone::default(),
+        placed: true,
+        ..ContactMesh::default()
+    };
     let finite = Finite {
         meshed,
         curvatures: None,
@@ -122,10 +126,10 @@ fn stages_are_told_in_their_order() {
         elasticity: Elasticity::BoundaryElements,
     };
     let told = Mutex::new(vec![]);
-    let tell = |making: Making| told.lock().unwrap().push(making);
-    let job = Job { surface: &surface, conditions: &conditions, told: Told::by(&tell) };
+    let tell = |making: StageProgress| told.lock().unwrap().push(making);
+    let job = Job { surface: &surface, conditions: &conditions, told: Listener::by(&tell) };
     let condensed = condense(&finite, &MATERIAL, &job).unwrap();
-    let alone = condense(&finite, &MATERIAL, &Job { told: Told::default(), ..job }).unwrap();
+    let alone = condense(&finite, &MATERIAL, &Job { told: Listener::default(), ..job }).unwrap();
     assert_eq!(condensed.compliance, alone.compliance);
     let told = told.into_inner().unwrap();
     assert!(told.iter().all(|one| one.equations == surface.unknowns()));

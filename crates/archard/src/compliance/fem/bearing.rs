@@ -15,7 +15,7 @@ use super::surplus::Surplus;
 use super::triangle::{Point, points};
 use crate::body::mesh::Volume;
 use crate::body::{Finite, Material, Support};
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 
 /// What a pair is on the nodes of a volume.
 #[derive(Debug, Clone, PartialEq)]
@@ -142,7 +142,7 @@ impl Carrier {
         (finite, volume): (&Finite, &Arc<Volume>),
         material: &Material,
         pairs: Vec<OnNodes>,
-    ) -> Result<Self, Unsolved> {
+    ) -> Result<Self, SolveError> {
         let solid = Solid::new(finite, volume, material)?;
         let given = solid.under_its_loads(finite);
         Ok(Self { solid, pairs, given })

@@ -10,7 +10,7 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::{Conj, Mat, MatMut, Side, get_global_parallelism};
 
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 
 /// Values that are multiplied and added at once.
 const LANES: usize = 8;
@@ -27,8 +27,8 @@ impl Factors {
     ///
     /// # Errors
     /// If it is not positive definite, or there is no memory for it.
-    pub fn new(matrix: &SparseColMat<usize, f64>) -> Result<Self, Unsolved> {
-        let singular = || Unsolved::Singular { size: matrix.ncols() };
+    pub fn new(matrix: &SparseColMat<usize, f64>) -> Result<Self, SolveError> {
+        let singular = || SolveError::Singular { size: matrix.ncols() };
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             ..CholeskySymbolicParams::default()

@@ -23,7 +23,7 @@ use faer::Mat;
 
 use crate::body::mesh::Volume;
 use crate::body::{Finite, Material};
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 use factors::Factors;
 use held::{Held, held};
 use stiffness::Stiffness;
@@ -57,7 +57,7 @@ impl Solid {
         finite: &Finite,
         volume: &Arc<Volume>,
         material: &Material,
-    ) -> Result<Self, Unsolved> {
+    ) -> Result<Self, SolveError> {
         let [nodes, faces] = held(finite, volume);
         let stiffness = Stiffness::new(volume, material);
         let (matrix, numbers) = stiffness.between_free(&nodes);

@@ -13,12 +13,12 @@ use super::bearing::OnNodes;
 use super::factors::Factors;
 use super::held::held;
 use crate::body::mesh::Volume;
-use crate::body::mesh::reduced::{Holds, Reduced};
+use crate::body::mesh::reduced::{Holds, ReducedMatrix};
 use crate::body::mesh::tetrahedron::EDGES;
 use crate::body::{Finite, Material};
 use crate::compliance::bem::left_free;
 use crate::numerics::SAME;
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 
 /// Pairs whose columns are found at once.
 const AT_ONCE: usize = 64;
@@ -37,7 +37,7 @@ pub enum Unfit {
 /// A matrix with its rows at the nodes of a volume.
 #[derive(Debug)]
 pub struct Superelement {
-    reduced: Arc<Reduced>,
+    reduced: Arc<ReducedMatrix>,
     /// Of each node of the volume the rows along x, y and z and their shares of it: of middles that have none those of both ends.
     seen: Vec<Vec<([usize; 3], f64)>>,
     /// Number among the unknowns, where supports do not hold the row.
@@ -51,7 +51,7 @@ impl Superelement {
     /// If supports hold what the matrix does not have or leave motions free, or its unit is not that of the material.
     pub fn new(
         (finite, volume): (&Finite, &Volume),
-        reduced: &Arc<Reduced>,
+        reduced: &Arc<ReducedMatrix>,
         material: &Material,
     ) -> Result<Self, Unfit> {
         let mut rows = vec![None; volume.nodes.len()];
@@ -191,7 +191,7 @@ impl Superelement {
     ///
     /// # Errors
     /// If the equations are singular.
-    pub fn compliance(&self, pairs: &[OnNodes]) -> Result<Mat<f64>, Unsolved> {
+    pub fn compliance(&self, pairs: &[OnNodes]) -> Result<Mat<f64>, SolveError> {
         let unknowns = self.numbers.iter().flatten().count();
         let free = |row: usize, column: usize| Some((self.numbers[row]?, self.numbers[column]?));
         let lower: Vec<Triplet<usize, usize, f64>> = self
@@ -203,7 +203,7 @@ impl Superelement {
                 Some(Triplet::new(row.max(column), row.min(column), *value))
             })
             .collect();
-        let singular = || Unsolved::Singular { size: unknowns };
+        let singular = || SolveError::Singular { size: unknowns };
         let matrix = SparseColMat::try_new_from_triplets(unknowns, unknowns, &lower)
             .map_err(|_| singular())?;
         let factors = match self.reduced.holds {
@@ -271,7 +271,7 @@ fn free(
     finite: &Finite,
     volume: &Volume,
     rows: &[Option<[Option<usize>; 3]>],
-    reduced: &Reduced,
+    reduced: &ReducedMatrix,
 ) -> Result<Vec<Option<usize>>, Unfit> {
     let wrong = |message: String| Err(Unfit::Wrong(message));
     let mut is_held = vec![false; reduced.size()];

@@ -9,17 +9,17 @@ use faer::Mat;
 use super::Solid;
 use super::held::held;
 use crate::body::Body;
-use crate::body::mesh::{MESHES, Mesh, Meshed, Shape, Supported, Volume};
+use crate::body::mesh::{ContactMesh, MESHES, Mesh, Shape, SupportedSurfaces, Volume};
 use crate::body::profile::Flat;
 use crate::body::{Elasticity, Finite, Interpolation, Material, Support};
-use crate::compliance::bem::contact::{Contact, Meeting, condense};
-use crate::compliance::bem::image::{Imaged, Polynomials};
+use crate::compliance::bem::contact::{BodiesInContact, Contact, condense};
+use crate::compliance::bem::image::{ImageBody, Polynomials};
 use crate::frame::Rectangle;
 use crate::frame::VectorField;
 use crate::parameters::{Value, Values};
 
 /// A block below z = 0 of that size (m), in cubes divided along x, y and z, each in six tetrahedra; the surface is named by its sides.
-pub(crate) fn block(size: [f64; 3], divisions: [usize; 3]) -> Meshed {
+pub(crate) fn block(size: [f64; 3], divisions: [usize; 3]) -> ContactMesh {
     let [nx, ny, nz] = divisions;
     let index = |[x, y, z]: [usize; 3]| x + (nx + 1) * (y + (ny + 1) * z);
     let mut places = vec![];
@@ -60,10 +60,10 @@ pub(crate) fn block(size: [f64; 3], divisions: [usize; 3]) -> Meshed {
         let all = |level: f64| corners.iter().all(|node| (nodes[*node][2] - level).abs() < 1e-9);
         if all(0.0) { 0 } else { 1 + usize::from(!all(-size[2])) }
     });
-    Meshed { mesh, volume: Some(Arc::new(volume)), ..Meshed::default() }
+    ContactMesh { mesh, volume: Some(Arc::new(volume)), ..ContactMesh::default() }
 }
 
-fn finite(meshed: Meshed) -> Finite {
+fn finite(meshed: ContactMesh) -> Finite {
     let bottom = meshed.mesh.surfaces.iter().position(|name| name == "bottom").unwrap();
     Finite {
         meshed,
@@ -97,11 +97,11 @@ fn by_surface() -> [Mat<f64>; 2] {
     values.insert("size", Value::Triple(SIZE));
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
     let shape: Box<dyn Shape> = (choice.build)(&values).unwrap();
-    let held: Supported = [("bottom".to_owned(), [true; 3])].into_iter().collect();
+    let held: SupportedSurfaces = [("bottom".to_owned(), [true; 3])].into_iter().collect();
     let meshed = shape.coarse(Some([[0.05, 0.0], [0.2, 0.3]]), [false; 2], &held).unwrap();
     let finite = finite(meshed);
     let of = |mesh: &Mesh| {
-        let imaged = Imaged { finite: &finite, mesh, material: &MATERIAL };
+        let imaged = ImageBody { finite: &finite, mesh, material: &MATERIAL };
         imaged.compliance(&polynomials()).unwrap()
     };
     let (coarse, fine) = (of(&finite.meshed.mesh), of(&finite.meshed.mesh.divided()));
@@ -160,7 +160,7 @@ fn a_block_that_bears_its_contact_is_pressed_as_a_rod() {
     // Tractions on body 1, whose normal the pressure acts against.
     let even = VectorField { n: vec![-1.0; frame.len()], ..VectorField::zeros(frame.len()) };
     assert!(compliance.missed(&even).unwrap() < 1e-6);
-    let meeting = Meeting::of(bodies.each_ref()).unwrap();
+    let meeting = BodiesInContact::of(bodies.each_ref()).unwrap();
     let (_, inside) = meeting.inside(0, &even).unwrap().unwrap();
     let across = -poisson / (1.0 - poisson);
     for place in [[0.0, 0.0, -0.3], [0.31, -0.2, -0.01], [-0.5, 0.4, 0.0]] {

@@ -8,7 +8,7 @@ use crate::body::mesh::{Mesh, Volume};
 use crate::body::{Body, Elasticity, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, supported};
 use crate::compliance::bem::image::{
-    Imaged, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, degree_inside, holds,
+    ImageBody, MISSED, MOST_DEGREES, NoImage, Polynomials, degree, degree_inside, holds,
 };
 use crate::compliance::bem::{Conditions, Surface};
 use crate::compliance::fem::{ImageField, Solid};
@@ -215,8 +215,8 @@ impl One {
         self.imaged(mesh).compliance(polynomials).map_err(|cause| self.failed(cause))
     }
 
-    fn imaged<'a>(&'a self, mesh: &'a Mesh) -> Imaged<'a> {
-        Imaged { finite: &self.finite, mesh, material: &self.material }
+    fn imaged<'a>(&'a self, mesh: &'a Mesh) -> ImageBody<'a> {
+        ImageBody { finite: &self.finite, mesh, material: &self.material }
     }
 
     fn failed(&self, cause: NoImage) -> ContactError {

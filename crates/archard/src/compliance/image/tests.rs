@@ -2,7 +2,7 @@ use approx::assert_relative_eq;
 
 use super::super::bem::contact::{Contact, ContactError, condense};
 use super::{Compliance, Image};
-use crate::body::mesh::{MESHES, Shape, Supported};
+use crate::body::mesh::{MESHES, Shape, SupportedSurfaces};
 use crate::body::profile::{AxisymmetricPower, Flat};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Support};
 use crate::frame::{ContactFrame, Direction, Part, Rectangle, VectorField};
@@ -11,7 +11,7 @@ use crate::parameters::{Value, Values};
 /// The side of the zone (m).
 const ZONE: f64 = 0.2;
 
-fn clamped() -> Supported {
+fn clamped() -> SupportedSurfaces {
     [("bottom".to_owned(), [true; 3])].into_iter().collect()
 }
 

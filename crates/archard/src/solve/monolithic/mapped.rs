@@ -50,7 +50,7 @@ pub(in crate::solve) fn solve(
     if map.is_identity() {
         return newton(&Mapped { step: *step, map }, start, foreseen, settings);
     }
-    let compliance = compliance::Mapped::new(step.compliance, map);
+    let compliance = compliance::MappedCompliance::new(step.compliance, map);
     let rigid = map.images(step.rigid);
     let inner = Step { compliance: &compliance, rigid: [&rigid[0], &rigid[1]], ..*step };
     let inverse = map.inverse();

@@ -1,6 +1,6 @@
 //! Friction solved on the part of the frame that is in contact.
 
-use super::{FrictionSolver, Outcome, Start, Step, Tie, Turning, turning};
+use super::{FrictionSolver, Outcome, Start, Step, Tie, TurningPair, turning};
 use crate::frame::{Part, extent};
 
 /// Elements kept free around the contact: material is still rubbed on its way past the trailing edge, over the one element that
@@ -12,7 +12,7 @@ const MARGIN: usize = 1;
 pub(super) fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
-    (ties, turns): (&[Tie], &[Turning]),
+    (ties, turns): (&[Tie], &[TurningPair]),
     start: Option<Start<'_>>,
 ) -> Outcome {
     let contact = extent(step.elements, |pair| step.limit[pair] > 0.0);
@@ -42,10 +42,10 @@ pub(super) fn solve(
     let place =
         |tie: &Tie| Some(Tie { pair: part.place(tie.pair)?, to: part.place(tie.to)?, ..*tie });
     let ties: Vec<Tie> = ties.iter().filter_map(place).collect();
-    let place = |turns: &Turning| {
-        Some(Turning { pair: part.place(turns.pair)?, behind: part.place(turns.behind)? })
+    let place = |turns: &TurningPair| {
+        Some(TurningPair { pair: part.place(turns.pair)?, behind: part.place(turns.behind)? })
     };
-    let turns: Vec<Turning> = turns.iter().filter_map(place).collect();
+    let turns: Vec<TurningPair> = turns.iter().filter_map(place).collect();
     let outcome = turning::solve(solver, &step, (&ties, &turns), start);
     let [traction, slip] =
         [&outcome.traction, &outcome.slip].map(|both| both.each_ref().map(|field| part.put(field)));

@@ -1,7 +1,7 @@
 //! Friction solved in tractions whose admissible set is a disc.
 
 use super::{Admissible, FrictionSolver, Outcome, PrescribedForce, Start, Step, crop};
-use crate::compliance::Mapped;
+use crate::compliance::MappedCompliance;
 
 /// Solves a step of friction for tractions that are admissible. Tractions and slips of the step, the start and the outcome are those of the pairs.
 pub fn solve(
@@ -14,7 +14,7 @@ pub fn solve(
         return crop::solve(solver, step, (ties, turning), start);
     }
     let inverse = map.inverse();
-    let slips = Mapped::new(step.map, map);
+    let slips = MappedCompliance::new(step.map, map);
     let rigid = map.images(step.rigid);
     let prescribed = |prescribed: &PrescribedForce| PrescribedForce {
         direction: map.apply(prescribed.direction),

@@ -3,7 +3,7 @@
 //! The problem: on every pair the traction t is bounded, |t| <= limit, and where the slip s is not
 //! zero t has that length and the direction of s. The slip is that of the rigid bodies less what
 //! the tractions take away, s = rigid - B t. Instead of a rigid slip along some direction the force
-//! along it may be given; the slip follows. Pairs that are [tied](Tie) to others or go by [means](Turning)
+//! along it may be given; the slip follows. Pairs that are [tied](Tie) to others or go by [means](TurningPair)
 //! of slips, and the ellipse of
 //! admissible tractions that a friction law makes of the disc |t| <= limit by its [map](crate::friction::Map), are seen by
 //! [`solve`] alone.
@@ -27,7 +27,7 @@ pub use newton::Newton;
 #[doc(hidden)]
 pub use tied::Tie;
 #[doc(hidden)]
-pub use turning::Turning;
+pub use turning::TurningPair;
 pub use uzawa::Uzawa;
 
 use super::{Settings, Status, monolithic};
@@ -62,7 +62,7 @@ pub struct Admissible<'a> {
     /// Pairs whose tractions are shares of those of others.
     pub ties: &'a [Tie],
     /// Pairs whose friction depends on the mean of two slips.
-    pub turning: &'a [Turning],
+    pub turning: &'a [TurningPair],
 }
 
 impl From<Map> for Admissible<'_> {

@@ -6,7 +6,7 @@ use crate::numerics::vector::map;
 
 /// A pair whose friction depends on the mean of its slip and that of the pair behind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Turning {
+pub struct TurningPair {
     /// The pair.
     pub pair: usize,
     /// The pair behind.
@@ -17,7 +17,7 @@ pub struct Turning {
 pub(super) fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
-    (ties, turning): (&[Tie], &[Turning]),
+    (ties, turning): (&[Tie], &[TurningPair]),
     start: Option<Start<'_>>,
 ) -> Outcome {
     if turning.is_empty() {
@@ -40,8 +40,8 @@ pub(super) fn solve(
 }
 
 /// Makes means of the slips of the pairs that go by them.
-fn average(turning: &[Turning], slip: &mut [f64]) {
-    let mean = |one: &Turning| 0.5 * (slip[one.pair] + slip[one.behind]);
+fn average(turning: &[TurningPair], slip: &mut [f64]) {
+    let mean = |one: &TurningPair| 0.5 * (slip[one.pair] + slip[one.behind]);
     let means: Vec<f64> = turning.iter().map(mean).collect();
     turning.iter().zip(means).for_each(|(one, mean)| slip[one.pair] = mean);
 }
@@ -50,7 +50,7 @@ fn average(turning: &[Turning], slip: &mut [f64]) {
 #[derive(Debug)]
 struct Means<'a> {
     inner: &'a dyn SlipMap,
-    turning: &'a [Turning],
+    turning: &'a [TurningPair],
 }
 
 impl SlipMap for Means<'_> {

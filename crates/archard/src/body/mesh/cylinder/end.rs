@@ -8,10 +8,10 @@ use crate::body::mesh::axis::{Axis, places};
 use crate::body::mesh::builder::Builder;
 use crate::body::mesh::rings::{Ray, Rings, distance};
 use crate::body::mesh::tensor::patch;
-use crate::body::mesh::{Meshed, Zone};
+use crate::body::mesh::{ContactMesh, Zone};
 
 impl Standing {
-    pub(super) fn divide(&self, mirrored: [bool; 2], longest: [f64; 2]) -> Meshed {
+    pub(super) fn divide(&self, mirrored: [bool; 2], longest: [f64; 2]) -> ContactMesh {
         let mut builder = Builder::new(self.radius.max(self.length));
         let top = builder.surface("top");
         let growth = self.contact.growth(f64::INFINITY);
@@ -31,7 +31,7 @@ impl Standing {
         self.inwards(rings, &rays, [last, longest[0]]);
         let [nx, ny] = self.contact.kept(mirrored);
         let zone = Zone { faces: (0..nx * ny).collect(), grid: Some([nx, ny]) };
-        Meshed { mesh: builder.finish(), zone, placed: false, ..Meshed::default() }
+        ContactMesh { mesh: builder.finish(), zone, placed: false, ..ContactMesh::default() }
     }
 
     /// From the rim of the zone to the edge; returns the width of the last ring (m).

@@ -9,8 +9,8 @@ mod side;
 use std::f64::consts::PI;
 
 use super::contact::{self, Layout};
-use super::free::{self, Supported};
-use super::{MeshError, Meshed, Shape};
+use super::free::{self, SupportedSurfaces};
+use super::{ContactMesh, MeshError, Shape};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
@@ -90,18 +90,27 @@ struct Standing {
 }
 
 impl Shape for Lying {
-    fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError> {
+    fn mesh(
+        &self,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Result<ContactMesh, MeshError> {
         self.layout.check(mirrored)?;
         Ok(self.divide(mirrored, self.longest(held)))
     }
 
-    fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], held: &SupportedSurfaces) -> usize {
         let [around, along] =
             self.axes(mirrored, self.longest(held)).map(|axis| axis.places.len() - 1);
         around * along
     }
 
-    fn slenderness(&self, _: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
+    fn slenderness(
+        &self,
+        _: &ContactMesh,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Option<f64> {
         let longest = self.longest(held);
         let [_, along] = self.axes(mirrored, longest);
         longest.is_finite().then(|| along.widest() / (2.0 * self.radius))
@@ -113,17 +122,21 @@ impl Shape for Lying {
 }
 
 impl Shape for Standing {
-    fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError> {
+    fn mesh(
+        &self,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Result<ContactMesh, MeshError> {
         Layout::Contact(self.contact).check(mirrored)?;
         Ok(self.divide(mirrored, self.longest(held)))
     }
 
-    fn at_least(&self, mirrored: [bool; 2], _held: &Supported) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], _held: &SupportedSurfaces) -> usize {
         self.contact.kept(mirrored).into_iter().product()
     }
 
     /// That of the generator itself, which no parameter overrules.
-    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Supported) -> Option<f64> {
+    fn slenderness(&self, _: &ContactMesh, _: [bool; 2], _: &SupportedSurfaces) -> Option<f64> {
         None
     }
 
@@ -134,7 +147,7 @@ impl Shape for Standing {
 
 impl Lying {
     /// The longest element (m) along the axis that bending as a beam between its ends allows.
-    fn longest(&self, held: &Supported) -> f64 {
+    fn longest(&self, held: &SupportedSurfaces) -> f64 {
         let diameter = 2.0 * self.radius;
         let across = ["side", "bore"].iter().any(|surface| held.at(surface));
         let ends = ["front", "back"].iter().any(|surface| held.at(surface));
@@ -147,7 +160,7 @@ impl Lying {
 impl Standing {
     /// The longest elements (m) that bending allows: across the ends of a plate that is held at its edge, and
     /// along a pillar that is held underneath.
-    fn longest(&self, held: &Supported) -> [f64; 2] {
+    fn longest(&self, held: &SupportedSurfaces) -> [f64; 2] {
         let (diameter, ends) = (2.0 * self.radius, held.at("bottom") || held.at("top"));
         let plate = !ends && held.at("side") && free::bends(self.length, self.radius);
         let pillar = ends && !held.at("side") && free::bends(diameter, self.length);

@@ -12,7 +12,7 @@ use crate::body::mesh::builder::Builder;
 use crate::body::mesh::contact::Layout;
 use crate::body::mesh::rings::{Rings, distance, widest_angle};
 use crate::body::mesh::tensor::{middle, patch};
-use crate::body::mesh::{Mesh, Meshed, Zone};
+use crate::body::mesh::{ContactMesh, Mesh, Zone};
 
 /// Radius of a polygon with vertices at these angles (rad) relative to that of the circle of its area.
 fn of_equal_area(angles: &[f64]) -> f64 {
@@ -32,7 +32,7 @@ struct Turn {
 }
 
 impl Lying {
-    pub(super) fn divide(&self, mirrored: [bool; 2], longest: f64) -> Meshed {
+    pub(super) fn divide(&self, mirrored: [bool; 2], longest: f64) -> ContactMesh {
         let [arcs, along] = self.axes(mirrored, longest);
         let mut builder = Builder::new(self.radius.max(self.length));
         let angles: Vec<f64> = arcs.places.iter().map(|arc| arc / self.radius).collect();
@@ -76,7 +76,7 @@ impl Lying {
         if let Layout::Even(_) = self.layout {
             self.round_out(&mut mesh, [&turn.angles, &bore]);
         }
-        Meshed { mesh, zone, placed: false, ..Meshed::default() }
+        ContactMesh { mesh, zone, placed: false, ..ContactMesh::default() }
     }
 
     /// Moves vertices away from the axis until the sections within side and bore, polygons with these angles, have the

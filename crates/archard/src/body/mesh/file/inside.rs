@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::near::Near;
 use super::solid;
-use crate::body::mesh::{Corners, Mesh, MeshError, Meshed, Supported, Volume, Zone};
+use crate::body::mesh::{ContactMesh, Corners, Mesh, MeshError, SupportedSurfaces, Volume, Zone};
 use crate::numerics::WRITTEN;
 
 /// The inside of a body with its surface, triangle by triangle, in the places of the file.
@@ -65,9 +65,9 @@ impl Inside {
     pub fn below(
         &self,
         place: Option<[f64; 2]>,
-        held: &Supported,
+        held: &SupportedSurfaces,
         named: Option<&str>,
-    ) -> Option<Meshed> {
+    ) -> Option<ContactMesh> {
         let extent = self.mesh.extent();
         let level = |sign: f64| {
             let levels = (0..self.mesh.faces.len()).filter_map(|face| {
@@ -107,13 +107,18 @@ impl Inside {
                 face.corners = Corners::Triangle([a, c, b]);
             }
         }
-        Some(Meshed { mesh, placed: false, volume: Some(Arc::new(volume)), ..Meshed::default() })
+        Some(ContactMesh {
+            mesh,
+            placed: false,
+            volume: Some(Arc::new(volume)),
+            ..ContactMesh::default()
+        })
     }
 
     /// The body where it is, with a zone that may touch.
-    pub fn placed(&self, zone: Zone) -> Meshed {
+    pub fn placed(&self, zone: Zone) -> ContactMesh {
         let volume = Some(Arc::new(self.volume.clone()));
-        Meshed { mesh: self.mesh.clone(), zone, placed: true, volume, reduced: None }
+        ContactMesh { mesh: self.mesh.clone(), zone, placed: true, volume, reduced: None }
     }
 
     /// The triangles of the surface of that name.

@@ -21,7 +21,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::reduced::Holds;
-use super::{MOST_OF_A_FILE, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
+use super::{
+    ContactMesh, MOST_OF_A_FILE, Mesh, MeshError, Shape, SupportedSurfaces, Zone, thickness,
+};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 use inside::Inside;
 use matrix::{Matrix, PLACES, Places};
@@ -164,7 +166,11 @@ enum Contact {
 }
 
 impl Shape for File {
-    fn mesh(&self, mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
+    fn mesh(
+        &self,
+        mirrored: [bool; 2],
+        _held: &SupportedSurfaces,
+    ) -> Result<ContactMesh, MeshError> {
         let mut mesh = self.mesh.clone();
         mesh.put_on_planes(mirrored);
         mesh.orient(mirrored);
@@ -176,10 +182,10 @@ impl Shape for File {
             }
             Contact::Near(near) => near.zone(mesh, self.feature_angle, mirrored)?,
         };
-        Ok(Meshed { mesh, zone, placed: true, ..Meshed::default() })
+        Ok(ContactMesh { mesh, zone, placed: true, ..ContactMesh::default() })
     }
 
-    fn at_least(&self, _mirrored: [bool; 2], _held: &Supported) -> usize {
+    fn at_least(&self, _mirrored: [bool; 2], _held: &SupportedSurfaces) -> usize {
         self.mesh.faces.len()
     }
 
@@ -187,8 +193,8 @@ impl Shape for File {
         &self,
         rectangle: Option<[[f64; 2]; 2]>,
         _mirrored: [bool; 2],
-        held: &Supported,
-    ) -> Option<Meshed> {
+        held: &SupportedSurfaces,
+    ) -> Option<ContactMesh> {
         let named = match &self.contact {
             Contact::None => None,
             Contact::Surface(surface) => Some(self.mesh.surfaces[*surface].as_str()),
@@ -197,7 +203,7 @@ impl Shape for File {
         self.inside.as_ref()?.below(rectangle.map(|[centre, _]| centre), held, named)
     }
 
-    fn filled(&self) -> Option<Result<Meshed, MeshError>> {
+    fn filled(&self) -> Option<Result<ContactMesh, MeshError>> {
         let inside = self.inside.as_ref()?;
         let zone = match &self.contact {
             Contact::None => Ok(Zone::default()),
@@ -214,11 +220,16 @@ impl Shape for File {
                     Some(reduced.map_err(|wrong| MeshError::Matrix { message: wrong.of(name) })?)
                 }
             };
-            Ok(Meshed { reduced: reduced.map(Arc::new), ..inside.placed(zone) })
+            Ok(ContactMesh { reduced: reduced.map(Arc::new), ..inside.placed(zone) })
         }))
     }
 
-    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
+    fn slenderness(
+        &self,
+        meshed: &ContactMesh,
+        mirrored: [bool; 2],
+        held: &SupportedSurfaces,
+    ) -> Option<f64> {
         thickness::longest(meshed, mirrored, held)
     }
 }

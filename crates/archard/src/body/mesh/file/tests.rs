@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 
 use super::{FEATURE_ANGLE, Fault, Inside, Place, Solid, parse};
-use crate::body::mesh::{Corners, MESHES, Mesh, MeshError, Meshed, Supported};
+use crate::body::mesh::{ContactMesh, Corners, MESHES, Mesh, MeshError, SupportedSurfaces};
 use crate::parameters::{Invalid, Value, Values};
 
 macro_rules! files {
@@ -237,7 +237,7 @@ proptest! {
     }
 }
 
-fn build(contact: Option<&str>, unit: Option<&str>) -> Result<Meshed, Invalid> {
+fn build(contact: Option<&str>, unit: Option<&str>) -> Result<ContactMesh, Invalid> {
     let choice = MESHES.iter().find(|choice| choice.name == "file").unwrap();
     let mut values = Values::default();
     let name = GMSH[2].to_owned();
@@ -248,7 +248,7 @@ fn build(contact: Option<&str>, unit: Option<&str>) -> Result<Meshed, Invalid> {
     if let Some(unit) = unit {
         values.insert("unit", Value::Word(unit.to_owned()));
     }
-    Ok((choice.build)(&values)?.mesh([false; 2], &Supported::default())?)
+    Ok((choice.build)(&values)?.mesh([false; 2], &SupportedSurfaces::default())?)
 }
 
 #[test]

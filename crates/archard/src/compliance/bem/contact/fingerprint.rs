@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Job;
 use crate::body::{Finite, Material};
-use crate::compliance::bem::Given;
+use crate::compliance::bem::AxisCondition;
 
 impl Job<'_> {
     /// Number of rows of the compliance: three a contact node.
@@ -33,13 +33,13 @@ impl Job<'_> {
         for condition in &self.conditions.tractions {
             condition.basis.into_iter().for_each(&mut vector);
             vector(DVec3::from_array(condition.given.map(|given| match given {
-                Given::Traction(traction) => traction,
-                Given::Displacement(_) => f64::INFINITY,
-                Given::Contact => f64::NEG_INFINITY,
+                AxisCondition::Traction(traction) => traction,
+                AxisCondition::Displacement(_) => f64::INFINITY,
+                AxisCondition::Contact => f64::NEG_INFINITY,
             })));
             vector(DVec3::from_array(condition.given.map(|given| match given {
-                Given::Displacement(displacement) => displacement,
-                Given::Traction(_) | Given::Contact => 0.0,
+                AxisCondition::Displacement(displacement) => displacement,
+                AxisCondition::Traction(_) | AxisCondition::Contact => 0.0,
             })));
         }
         for &contact in &self.conditions.contact {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use faer::Mat;
 use glam::DVec3;
 
-use super::super::solid::Condensed;
-use super::super::{Conditions, Surface, Told, Undetermined};
+use super::super::solid::CondensedBody;
+use super::super::{Conditions, Indeterminacy, Listener, Surface};
 use super::STEEP;
 use super::host::Host;
 use super::near::Near;
@@ -14,12 +14,12 @@ use super::transfer::Transfer;
 use super::{Condense, Contact, ContactError, Job, half_space, supported};
 use crate::body::{Body, Elasticity, Finite, Interpolation};
 use crate::compliance::fem::{Carrier, Inside, OnNodes, Superelement, Unfit};
-use crate::compliance::{Carried, Compliance, Dense};
+use crate::compliance::{Compliance, Dense, MeshCompliance};
 use crate::frame::{ContactFrame, OffTheSurface, Pairs, VectorField};
 use crate::numerics::SAME;
 
 /// Two bodies, one of them meshed at least, and the pairs where they may touch.
-pub struct Meeting<'a> {
+pub struct BodiesInContact<'a> {
     bodies: [&'a Body; 2],
     host: Side<'a>,
     opposite: Option<(Side<'a>, Transfer)>,
@@ -37,7 +37,7 @@ struct Side<'a> {
     reduced: Option<Superelement>,
 }
 
-impl<'a> Meeting<'a> {
+impl<'a> BodiesInContact<'a> {
     /// Brings two bodies opposite each other.
     ///
     /// # Errors
@@ -215,7 +215,7 @@ impl<'a> Meeting<'a> {
             let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
             Arc::new(Dense::new(&parts)?.balanced(balance).judged(near))
         } else {
-            Arc::new(Carried::new(&frame, carriers, (parts, balance)).judged(near))
+            Arc::new(MeshCompliance::new(&frame, carriers, (parts, balance)).judged(near))
         };
         Ok(Contact { frame, compliance })
     }
@@ -259,7 +259,7 @@ impl<'a> Side<'a> {
     /// Its equations; `None` if they do not tell how it deforms.
     fn job(&self) -> Option<Job<'_>> {
         let (surface, conditions) = (&self.host.surface, self.conditions.as_ref()?);
-        Some(Job { surface, conditions, told: Told::default() })
+        Some(Job { surface, conditions, told: Listener::default() })
     }
 
     /// The body with the pairs that it bears on its own elements, if it does.
@@ -299,7 +299,7 @@ impl<'a> Side<'a> {
         &self,
         bodies: [&Body; 2],
         condense: Condense<'_>,
-    ) -> Result<Option<Condensed>, ContactError> {
+    ) -> Result<Option<CondensedBody>, ContactError> {
         let which = self.host.which;
         let (Some(material), Some(job), None) =
             (&bodies[which].material, self.job(), &self.bearing)
@@ -323,7 +323,7 @@ fn superelement(body: &Body, finite: &Finite, which: usize) -> Result<Supereleme
     Superelement::new((finite, volume), reduced, material).map_err(|unfit| match unfit {
         Unfit::Wrong(message) => ContactError::Matrix { body: which, message },
         Unfit::Free(modes) => {
-            ContactError::Undetermined { body: which, cause: Undetermined::Free { modes } }
+            ContactError::Undetermined { body: which, cause: Indeterminacy::Free { modes } }
         }
     })
 }

@@ -19,17 +19,17 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::conditions::{Conditions, Undetermined};
-use super::solid::Condensed;
+use super::conditions::{Conditions, Indeterminacy};
+use super::solid::CondensedBody;
 use super::surface::Surface;
-use super::{Assembled, Condition, Given, Stage, Told, TractionNode, advice};
+use super::{AssembledBody, AxisCondition, Condition, Listener, Stage, TractionNode, advice};
 use crate::body::{Body, Finite, Material, Support};
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 use crate::numerics::large::NoMemory;
 
-pub use meeting::Meeting;
+pub use meeting::BodiesInContact;
 pub(in crate::compliance) use near::Near;
 
 /// The cosine of 30 degrees. Normals that turn by more belong to two surfaces that meet in an edge, and to a zone for which no
@@ -56,7 +56,7 @@ pub enum ContactError {
         /// The body's index, 0 or 1.
         body: usize,
         /// What is wrong.
-        cause: Undetermined,
+        cause: Indeterminacy,
     },
     /// A matrix that says nothing of its body.
     #[error("body {}: {message}", .body + 1)]
@@ -72,7 +72,7 @@ pub enum ContactError {
         /// The body's index, 0 or 1.
         body: usize,
         /// What is wrong.
-        cause: Unsolved,
+        cause: SolveError,
     },
     /// The zones do not face each other.
     #[error(
@@ -155,7 +155,8 @@ pub struct Contact {
 }
 
 /// What condenses a meshed body to its contact nodes, or remembers having done so.
-pub type Condense<'a> = &'a dyn Fn(&Finite, &Material, &Job<'_>) -> Result<Condensed, Unsolved>;
+pub type Condense<'a> =
+    &'a dyn Fn(&Finite, &Material, &Job<'_>) -> Result<CondensedBody, SolveError>;
 
 /// The equations of one body.
 #[derive(Debug)]
@@ -165,7 +166,7 @@ pub struct Job<'a> {
     /// What is known at its nodes.
     pub conditions: &'a Conditions,
     /// Who is told how far they are.
-    pub told: Told<'a>,
+    pub told: Listener<'a>,
 }
 
 /// Condenses a body from its mesh.
@@ -176,9 +177,10 @@ pub fn condense(
     finite: &Finite,
     material: &Material,
     job: &Job<'_>,
-) -> Result<Condensed, Unsolved> {
+) -> Result<CondensedBody, SolveError> {
     let Job { surface, conditions, told } = *job;
-    let equations = Assembled::telling((surface, conditions), material, finite.tolerance, told)?;
+    let equations =
+        AssembledBody::telling((surface, conditions), material, finite.tolerance, told)?;
     told.tell(surface.unknowns(), Stage::Factorising, 0.0);
     Ok(equations.factorise()?.condense_telling(told))
 }
@@ -189,7 +191,7 @@ impl Contact {
     /// # Errors
     /// If they cannot touch, are not held or profiles end within the zone.
     pub fn new(bodies: [&Body; 2], condense: Condense<'_>) -> Result<Self, ContactError> {
-        Meeting::of(bodies)?.condense(condense)
+        BodiesInContact::of(bodies)?.condense(condense)
     }
 }
 
@@ -201,10 +203,14 @@ pub fn supported(finite: &Finite, node: &TractionNode) -> Condition {
         Some(Support::Clamped) => Condition::clamped(),
         Some(Support::Roller) => Condition::roller(node.normal),
         Some(Support::Pressure(pressure)) => Condition::pressed(node.normal, pressure),
-        Some(Support::Traction(traction)) => Condition::along_axes(traction.map(Given::Traction)),
-        Some(Support::Displacement(displacement)) => Condition::along_axes(
-            displacement.map(|known| known.map_or(Given::Traction(0.0), Given::Displacement)),
-        ),
+        Some(Support::Traction(traction)) => {
+            Condition::along_axes(traction.map(AxisCondition::Traction))
+        }
+        Some(Support::Displacement(displacement)) => {
+            Condition::along_axes(displacement.map(|known| {
+                known.map_or(AxisCondition::Traction(0.0), AxisCondition::Displacement)
+            }))
+        }
     }
 }
 

@@ -165,7 +165,7 @@ mod tests {
     use glam::DVec3;
 
     use super::{Normals, Surface};
-    use crate::body::mesh::{Corners, Face, Mesh, Meshed, Zone};
+    use crate::body::mesh::{ContactMesh, Corners, Face, Mesh, Zone};
     use crate::body::{Elasticity, Finite, Interpolation};
 
     const RADIUS: f64 = 2.0;
@@ -189,7 +189,7 @@ mod tests {
         // The four in the middle, all of whose corners have elements all around.
         let zone = Zone { faces: vec![5, 6, 9, 10], grid: None };
         Finite {
-            meshed: Meshed { mesh, zone, placed: true, ..Meshed::default() },
+            meshed: ContactMesh { mesh, zone, placed: true, ..ContactMesh::default() },
             curvatures: Some([1.0 / RADIUS; 2]),
             supports: vec![],
             mirrored: [false; 2],

@@ -3,13 +3,13 @@
 use rayon::prelude::*;
 
 use super::near::{Columns, NearField};
-use super::{Imaged, NoImage, Polynomials};
+use super::{ImageBody, NoImage, Polynomials};
 use crate::compliance::bem::contact::supported;
 use crate::compliance::bem::{
-    Condition, Conditions, Given, Interior, Solid, Surface, TractionNode,
+    AxisCondition, Condition, Conditions, Interior, Solid, Surface, TractionNode,
 };
 
-impl Imaged<'_> {
+impl ImageBody<'_> {
     /// What the ends of the body add to the field of the half-space under loads (N): d m + i is that of the i-th of m polynomials along
     /// axis d.
     ///
@@ -29,8 +29,12 @@ impl Imaged<'_> {
             let mut condition = supported(finite, node);
             for (given, unit) in condition.given.iter_mut().zip(condition.basis) {
                 *given = match given {
-                    Given::Displacement(_) => Given::Displacement(-displacement.dot(unit)),
-                    Given::Traction(_) | Given::Contact => Given::Traction(-traction.dot(unit)),
+                    AxisCondition::Displacement(_) => {
+                        AxisCondition::Displacement(-displacement.dot(unit))
+                    }
+                    AxisCondition::Traction(_) | AxisCondition::Contact => {
+                        AxisCondition::Traction(-traction.dot(unit))
+                    }
                 };
             }
             condition

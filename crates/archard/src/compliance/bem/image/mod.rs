@@ -20,13 +20,13 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::contact::supported;
-use super::loads::{Loaded, Loads};
-use super::{Assembled, Conditions, Given, Surface, Undetermined};
+use super::loads::{LoadResponse, Loads};
+use super::{AssembledBody, AxisCondition, Conditions, Indeterminacy, Surface};
 use crate::body::mesh::Mesh;
 use crate::body::{Finite, Material};
 use crate::frame::Rectangle;
 use crate::numerics::SAME;
-use crate::numerics::dense::Unsolved;
+use crate::numerics::dense::SolveError;
 
 use near::on_the_face;
 pub(in crate::compliance) use near::{Columns, Field, NearField};
@@ -42,15 +42,15 @@ pub const MOST_DEGREES: usize = 12;
 pub enum NoImage {
     /// A body that is not held.
     #[error(transparent)]
-    Undetermined(#[from] Undetermined),
+    Undetermined(#[from] Indeterminacy),
     /// Equations without a solution.
     #[error(transparent)]
-    Unsolved(#[from] Unsolved),
+    Unsolved(#[from] SolveError),
 }
 
 /// A body whose zone lies on the flat face z = 0, below which it is, meshed without regard to the zone.
 #[derive(Debug, Clone, Copy)]
-pub struct Imaged<'a> {
+pub struct ImageBody<'a> {
     pub finite: &'a Finite,
     pub mesh: &'a Mesh,
     pub material: &'a Material,
@@ -135,7 +135,7 @@ pub fn holds(mesh: &Mesh, mirrored: [bool; 2], rectangle: &Rectangle) -> bool {
     steps.iter().all(|&along| steps.iter().all(|&across| on_one([along, across])))
 }
 
-impl Imaged<'_> {
+impl ImageBody<'_> {
     /// K (m/N): row and column d m + i for the i-th of m polynomials as a traction along axis d. Where planes of symmetry halve the
     /// body, what is not symmetric is zero.
     ///
@@ -153,8 +153,8 @@ impl Imaged<'_> {
         let fields: Vec<Field> = surface.traction_nodes().par_iter().map(at).collect();
         let loads = loads(&surface, &conditions, &fields);
         let equations =
-            Assembled::under((&surface, &conditions), material, finite.tolerance, &loads)
-                .map_err(Unsolved::from)?;
+            AssembledBody::under((&surface, &conditions), material, finite.tolerance, &loads)
+                .map_err(SolveError::from)?;
         let loaded = equations.factorise()?.loaded();
         let work = work(&surface, &conditions, (&fields, &loads, &loaded));
         let size = 3 * columns.polynomials;
@@ -178,7 +178,7 @@ fn loads(surface: &Surface, conditions: &Conditions, fields: &[Field]) -> Loads 
     for (index, (node, field)) in surface.traction_nodes().iter().zip(fields).enumerate() {
         let condition = &conditions.tractions[index];
         for (direction, (unit, given)) in condition.basis.iter().zip(condition.given).enumerate() {
-            if let Given::Displacement(_) = given {
+            if let AxisCondition::Displacement(_) = given {
                 let own = conditions.own(node.node, *unit);
                 let along = conditions.nodes[node.node].basis[own];
                 let values = field.displacement.iter().map(|value| -value.dot(along));
@@ -196,7 +196,7 @@ fn loads(surface: &Surface, conditions: &Conditions, fields: &[Field]) -> Loads 
 fn work(
     surface: &Surface,
     conditions: &Conditions,
-    (fields, loads, loaded): (&[Field], &Loads, &Loaded),
+    (fields, loads, loaded): (&[Field], &Loads, &LoadResponse),
 ) -> Mat<f64> {
     let count = loads.count();
     let images = surface.images().len() as f64;
@@ -211,7 +211,7 @@ fn work(
             for load in 0..count {
                 let weight = images * node.area;
                 let (displacement, traction) = (field.displacement[load], field.traction[load]);
-                if let Given::Displacement(_) = given {
+                if let AxisCondition::Displacement(_) = given {
                     let own = conditions.own(node.node, *unit);
                     let along = held.basis[own];
                     let found = loaded.traction(conditions, (node.node, own), load);

@@ -1,6 +1,6 @@
 //! Superelements by CalculiX 2.20 against finite elements of the same tetrahedra: 4 x 4 x 2 mm, held below, and 2 x 2 x 2 mm, free.
 
-use crate::body::mesh::{MESHES, Meshed, Shape};
+use crate::body::mesh::{ContactMesh, MESHES, Shape};
 use crate::body::profile::Flat;
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Support};
 use crate::compliance::bem::contact::{Contact, ContactError, condense};
@@ -18,7 +18,7 @@ const FREE: [&str; 2] = [
 const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
 
 /// A body of a mesh and a matrix, in a unit if one is said.
-fn meshed([mesh, matrix]: [&str; 2], unit: Option<&str>) -> Result<Meshed, String> {
+fn meshed([mesh, matrix]: [&str; 2], unit: Option<&str>) -> Result<ContactMesh, String> {
     let file = |text: &str, name: &str| {
         let bytes = text.as_bytes().to_vec();
         Value::File { bytes: bytes.into(), name: name.to_owned() }
@@ -37,7 +37,7 @@ fn meshed([mesh, matrix]: [&str; 2], unit: Option<&str>) -> Result<Meshed, Strin
     shape.filled().unwrap().map_err(|error| error.to_string())
 }
 
-fn bodies(meshed: Meshed, elasticity: Elasticity, held: Option<Support>) -> [Body; 2] {
+fn bodies(meshed: ContactMesh, elasticity: Elasticity, held: Option<Support>) -> [Body; 2] {
     let base = meshed.mesh.surfaces.iter().position(|name| name == "base").unwrap();
     let finite = Finite {
         meshed,

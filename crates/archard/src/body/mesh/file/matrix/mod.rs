@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use super::inside::Inside;
 use crate::body::mesh::Zone;
-use crate::body::mesh::reduced::{Holds, Reduced};
+use crate::body::mesh::reduced::{Holds, ReducedMatrix};
 use crate::numerics::WRITTEN;
 
 pub(super) use places::{PLACES, Places};
@@ -224,7 +224,7 @@ impl Matrix {
     ///
     /// # Errors
     /// If nodes or directions of the zone are missing.
-    pub fn at(&self, inside: &Inside, zone: &Zone) -> Result<Reduced, Wrong> {
+    pub fn at(&self, inside: &Inside, zone: &Zone) -> Result<ReducedMatrix, Wrong> {
         let Parsed { written, lower } = &*self.parsed;
         let numbers = match &self.places {
             Some(places) => places.numbers(inside, zone)?,
@@ -289,7 +289,7 @@ impl Matrix {
             .enumerate()
             .filter_map(|(node, number)| Some((node, *rows.get(&(*number)?)?)));
         let entries = lower.iter().map(|(row, column, value)| (*row, *column, value * self.scale));
-        Ok(Reduced {
+        Ok(ReducedMatrix {
             holds: self.holds,
             rows: known.collect(),
             entries: entries.collect(),

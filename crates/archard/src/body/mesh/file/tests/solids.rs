@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::DVec3;
 
-use crate::body::mesh::{MESHES, Mesh, Meshed, Supported};
+use crate::body::mesh::{ContactMesh, MESHES, Mesh, SupportedSurfaces};
 use crate::parameters::{Invalid, Value, Values};
 
 pub(super) type Triangle = [DVec3; 3];
@@ -95,9 +95,9 @@ pub(super) fn values(triangles: &[Triangle]) -> Values {
     values
 }
 
-pub(super) fn meshed(values: &Values, mirrored: [bool; 2]) -> Result<Meshed, Invalid> {
+pub(super) fn meshed(values: &Values, mirrored: [bool; 2]) -> Result<ContactMesh, Invalid> {
     let choice = MESHES.iter().find(|choice| choice.name == "file").unwrap();
-    Ok((choice.build)(values)?.mesh(mirrored, &Supported::default())?)
+    Ok((choice.build)(values)?.mesh(mirrored, &SupportedSurfaces::default())?)
 }
 
 pub(super) fn mesh(triangles: &[Triangle], mirrored: [bool; 2]) -> Mesh {
@@ -119,7 +119,7 @@ pub(super) fn zoned(
     triangles: &[Triangle],
     zone: Value,
     mirrored: [bool; 2],
-) -> Result<Meshed, Invalid> {
+) -> Result<ContactMesh, Invalid> {
     let mut values = values(triangles);
     values.insert("contact", zone);
     meshed(&values, mirrored)

@@ -4,10 +4,10 @@ use approx::assert_relative_eq;
 use glam::DVec3;
 
 use super::solids::{ball, cube, cuboid, meshed, near, problems, turned, values, zoned};
-use crate::body::mesh::{Corners, Meshed};
+use crate::body::mesh::{ContactMesh, Corners};
 use crate::parameters::{Value, Values};
 
-fn longest(meshed: &Meshed) -> f64 {
+fn longest(meshed: &ContactMesh) -> f64 {
     let length = |&face: &usize| {
         let corners = meshed.mesh.faces[face].corners;
         let place = |corner: usize| DVec3::from(meshed.mesh.vertices[corner]);
