@@ -16,6 +16,7 @@ __all__ = [
     "WheelRail",
     "__version__",
     "by_load",
+    "by_shape",
     "command",
     "comparison",
     "fit",
@@ -123,6 +124,7 @@ def wear_cam(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple
 def wear_gears(file: CaseFile) -> tuple[list[list[list[tuple[str, float]]]], tuple[str, float] | None]: ...
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def by_load(inside: Inside) -> tuple[NDArray[np.float64], float] | None: ...
+def by_shape(inside: Inside, gap: list[float]) -> tuple[NDArray[np.float64], float] | None: ...
 def solve_contact(
     file: CaseFile,
 ) -> tuple[

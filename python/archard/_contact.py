@@ -16,13 +16,13 @@ from archard.case import Case
 Array = NDArray[np.float64]
 
 
-class ByLoad(NamedTuple):
-    """Derivatives of a contact by its load; of a line of contact by that per length (N/m)."""
+class Derivative(NamedTuple):
+    """Derivative of a contact by its load (N; of a line N/m), or by a parameter of the shape (in its unit)."""
 
     pressure: Array
-    """Of the pressure (Pa/N), shaped like it."""
+    """Of the pressure (Pa over the unit), shaped like it."""
     approach: float
-    """Of the approach (m/N): one over the stiffness of the contact."""
+    """Of the approach (m over the unit); by the load it is one over the stiffness of the contact."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +58,8 @@ class Contact:
         """Largest pressure (Pa) of a pair."""
         return float(self.pressure.max())
 
-    def by_load(self) -> ByLoad:
-        """Return the derivatives by the load, from one more solve; exact for the elements.
+    def by_load(self) -> Derivative:
+        """Return the derivative by the load, from one more solve; exact for the elements.
 
         Raises:
             RunError: if the solve does not converge.
@@ -67,14 +67,30 @@ class Contact:
                 and on conforming surfaces.
 
         """
-        found = _archard.by_load(self._inside[0])
+        return self._derivative(_archard.by_load(self._inside[0]))
+
+    def by_shape(self, gap: ArrayLike) -> Derivative:
+        """Return the derivative by a parameter of the shape, at the same load; exact and known as :meth:`by_load`.
+
+        Args:
+            gap: the derivative of the gap by it (m over its unit), positive where bodies part, shaped as the pressure: by
+                the radius of a ball ``-(x**2 + y**2) / (2 * radius**2)``, by the distance that bodies wear over
+                ``k * contact.pressure``.
+
+        """
+        values = np.asarray(gap, dtype=float)
+        if values.shape != self.pressure.shape or not np.isfinite(values).all():
+            raise ValueError(f"the gap is an array of finite values of shape {self.pressure.shape}")
+        return self._derivative(_archard.by_shape(self._inside[0], values.ravel().tolist()))
+
+    def _derivative(self, found: tuple[Array, float] | None) -> Derivative:
         if found is None:
             raise ValueError(
-                "derivatives by the load are not known where pairs yield or lose pressure as it grows, "
+                "derivatives are not known where pairs yield or lose pressure as the load grows, "
                 "where friction moves the pressures, and on conforming surfaces"
             )
         pressure, approach = found
-        return ByLoad(pressure.reshape(self.pressure.shape), approach)
+        return Derivative(pressure.reshape(self.pressure.shape), approach)
 
     def stress_at(self, points: ArrayLike, body: str) -> Array:
         """Return the stresses (Pa) at places in a half-space: xx, yy, zz, xy, xz, yz, positive in tension.

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use archard::Contact;
 use archard::elastic::{Point, PressedHalfSpace};
 use archard::motion::Motion;
+use archard::simulation::{Derivative, Error};
 use archard_case::Task;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -60,13 +61,27 @@ impl Inside {
     }
 }
 
-/// The derivatives of a contact by its load: of the pressure (Pa/N), one value a pair, and of the approach (m/N); `None` where they
-/// are not known.
-#[pyfunction]
-pub fn by_load<'py>(py: Python<'py>, inside: &Inside) -> PyResult<Option<(Field<'py>, f64)>> {
-    let found = py.detach(|| inside.contact.by_load());
-    let found = found.map_err(|error| RunError::new_err(error.to_string()))?;
+/// A derivative: of the pressure (Pa over a unit), one value a pair, and of the approach (m over it); `None` where it is not known.
+type Slope<'py> = Option<(Field<'py>, f64)>;
+
+fn slope<'py>(
+    py: Python<'py>,
+    find: impl Send + FnOnce() -> Result<Option<Derivative>, Error>,
+) -> PyResult<Slope<'py>> {
+    let found = py.detach(find).map_err(|error| RunError::new_err(error.to_string()))?;
     Ok(found.map(|own| (PyArray1::from_vec(py, own.pressure), own.approach)))
+}
+
+/// The derivative of a contact by its load (N).
+#[pyfunction]
+pub fn by_load<'py>(py: Python<'py>, inside: &Inside) -> PyResult<Slope<'py>> {
+    slope(py, || inside.contact.by_load())
+}
+
+/// The derivative of a contact by what changes its gap by those values (m over its unit), one a pair.
+#[pyfunction]
+pub fn by_shape<'py>(py: Python<'py>, inside: &Inside, gap: Vec<f64>) -> PyResult<Slope<'py>> {
+    slope(py, || inside.contact.by_shape(&gap))
 }
 
 impl Inside {

@@ -41,7 +41,7 @@ mod _archard {
     #[pymodule_export]
     use super::command::command;
     #[pymodule_export]
-    use super::contact::{Inside, by_load, solve_contact};
+    use super::contact::{Inside, by_load, by_shape, solve_contact};
     #[pymodule_export]
     use super::elastic::solve_elastic;
     #[pymodule_export]

@@ -44,6 +44,17 @@ def test_derivatives_by_the_load_are_hertz_s():
     assert cell * by_load.pressure.sum() == pytest.approx(1, rel=1e-9)
 
 
+def test_derivatives_by_the_radius_are_hertz_s():
+    """The approach under a load falls with the radius to the power of -1/3."""
+    radius = 50e-3
+    contact = archard.contact({"body": {"ball": BALL, "flat": FLAT}, "frame": FRAME}, load="10.2 N")
+    by_radius = contact.by_shape(-(contact.x**2 + contact.y**2) / (2 * radius**2))
+    assert by_radius.pressure.shape == contact.pressure.shape
+    assert by_radius.approach == pytest.approx(-contact.approach / (3 * radius), rel=5e-3)
+    with pytest.raises(ValueError, match="shape"):
+        contact.by_shape([1.0])
+
+
 def test_derivatives_are_not_known_where_pairs_yield():
     case = {"body": {"ball": BALL, "flat": {**FLAT, "hardness": "150 MPa"}}, "frame": FRAME}
     with pytest.raises(ValueError, match="yield"):

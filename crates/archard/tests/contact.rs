@@ -92,6 +92,62 @@ fn derivatives_by_the_load_are_hertz_s() {
     }
 }
 
+/// Of a ball under a load, the approach falls with R^(-1/3) and the pressure on the axis with R^(-2/3), and both go on as between two
+/// radii; what it wears in the first stretch of its way changes the pressure as it does in a worn shape.
+#[test]
+fn derivatives_by_the_shape_are_hertz_s() {
+    let hertz = hertz();
+    let of = |profile: Sphere| {
+        let [_, flat] = ball_on_flat();
+        let ball = Body::new("ball", profile).material(steel());
+        solved(Contact::between([ball, flat], Control::Load(LOAD)).expect("a control"))
+    };
+    let at = |radius: f64| of(Sphere::new(radius).expect("a radius"));
+    let contact = at(RADIUS);
+    let frame = &contact.problem().frame;
+    let gap: Vec<f64> = (0..frame.len())
+        .map(|pair| {
+            let [x, y] = frame.place(pair);
+            -(x * x + y * y) / (2.0 * RADIUS * RADIUS)
+        })
+        .collect();
+    let by_radius = contact.by_shape(&gap).expect("it converges").expect("it is known");
+    assert_relative_eq!(by_radius.approach, -hertz.approach / (3.0 * RADIUS), max_relative = 5e-3);
+    assert!(frame.integrate(&by_radius.pressure).abs() < 1e-6 * LOAD / RADIUS);
+    let a = hertz.semi_axes[0];
+    for pair in 0..frame.len() {
+        let [x, y] = frame.place(pair);
+        let r = x.hypot(y) / a;
+        if r < 0.7 {
+            // p = p0 sqrt(1 - r^2 / a^2), of which p0 goes with R^(-2/3) and a with R^(1/3).
+            let known = (1.0 - r * r).sqrt().recip() * (r * r - 2.0 * (1.0 - r * r));
+            let known = hertz.peak_pressure * known / (3.0 * RADIUS);
+            let largest = hertz.peak_pressure / RADIUS;
+            assert!((by_radius.pressure[pair] - known).abs() < 0.01 * largest);
+        }
+    }
+    let step = 1e-5 * RADIUS;
+    let [less, more] = [-step, step].map(|step| at(RADIUS + step));
+    let slope = (more.approach() - less.approach()) / (2.0 * step);
+    assert_relative_eq!(by_radius.approach, slope, max_relative = 1e-4);
+    let largest = hertz.peak_pressure / RADIUS;
+    for (own, (more, less)) in
+        by_radius.pressure.iter().zip(more.pressure().iter().zip(less.pressure()))
+    {
+        let slope = (more - less) / (2.0 * step);
+        assert!((own - slope).abs() < 1e-3 * largest, "{own} {slope}");
+    }
+    assert_eq!(
+        contact.by_shape(&vec![0.0; frame.len()]).expect("it converges").expect("known").approach,
+        0.0
+    );
+    // The same everywhere: bodies that are further apart, pressed as they were.
+    let apart = contact.by_shape(&vec![1.0; frame.len()]).expect("it converges").expect("known");
+    assert_relative_eq!(apart.approach, 1.0, max_relative = 1e-6);
+    let scale = hertz.peak_pressure / hertz.approach;
+    assert!(apart.pressure.iter().all(|own| own.abs() < 1e-5 * scale));
+}
+
 /// Summits that yield bear no more as the load grows.
 #[test]
 fn derivatives_are_not_known_where_pairs_yield() {
@@ -99,6 +155,8 @@ fn derivatives_are_not_known_where_pairs_yield() {
     let soft = flat.hardness(150e6);
     let contact = solved(Contact::between([ball, soft], Control::Load(LOAD)).expect("a control"));
     assert_eq!(contact.by_load().expect("it converges"), None);
+    let apart = vec![1.0; contact.pressure().len()];
+    assert_eq!(contact.by_shape(&apart).expect("it converges"), None);
 }
 
 /// Waves that are pressed flat: p = mean + p* cos(2 pi x / length), with p* = pi E* 2 a / length (Johnson, Contact Mechanics, 13.2).

@@ -3,12 +3,12 @@
 mod adaptive;
 mod advance;
 mod builder;
-mod by_load;
 mod checkpoint;
 mod collector;
 mod companion;
 mod contact;
 mod cycles;
+mod derivative;
 mod digest;
 mod effort;
 mod error;
@@ -47,10 +47,10 @@ mod wider;
 mod worn;
 
 pub use builder::{Builder, line_of_contact};
-pub use by_load::ByLoad;
 #[doc(hidden)]
 pub use companion::{Companion, Companions, Regularity};
 pub use contact::Contact;
+pub use derivative::Derivative;
 #[doc(hidden)]
 pub use digest::digest;
 pub use effort::Effort;
