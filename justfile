@@ -8,9 +8,10 @@ default:
 run case="cases/pin_on_disc" *options:
     cargo run --release -- run {{case}} {{options}}
 
-# run every test
+# run every test, those that take longest too
 test:
     cargo test
+    cargo test --tests -- --ignored $(cat .ci/long)
 
 # kill, interrupt and starve runs, a hundred of them killed
 faults:
@@ -76,7 +77,7 @@ site *options:
 
 # run the published cases and write what they give into the book
 pages:
-    ARCHARD_PAGES=1 cargo test --test cases every_case_gives
+    ARCHARD_PAGES=1 cargo test --test cases -- --ignored every_case_gives
     ARCHARD_PAGES=1 cargo test --test cases the_gallery
 
 # run the published cases and draw the picture of each into the book, as book/src/gallery/seen.toml says, after `just python`

@@ -277,6 +277,7 @@ fn outcome(folder: &Path, store: &Store) -> (Vec<Line>, Vec<String>) {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn every_case_gives_what_it_has_to_and_the_page_says_so() {
     let folders = folders();
     let kept = tempfile::tempdir().unwrap();
@@ -331,6 +332,7 @@ fn the_gallery_shows_every_case() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn every_case_explains_itself_in_commands_that_are_right() {
     for folder in folders() {
         let readme = fs::read_to_string(folder.join("README.md")).expect("a README.md");

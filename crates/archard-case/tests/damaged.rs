@@ -155,6 +155,7 @@ fn kept(quick: u64, long: bool) {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn damaged_cases_are_refused_or_read() {
     cases(4000, false);
 }
@@ -165,6 +166,7 @@ fn damaged_meshes_are_refused_or_read() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn damaged_tables_are_refused_or_read() {
     tables(2500, false);
 }

@@ -254,6 +254,7 @@ fn mccoll(options: &[&str]) -> Rows {
 /// McColl's cylinder over 2,000 cycles: whatever tolerance is asked, the depth is off from that of a run of every cycle by less than the error stated, which is below
 /// the tolerance.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn jumps_know_their_error() {
     let every = mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]"]);
     for tolerance in [3e-2, 1e-2, 1e-3] {
@@ -270,6 +271,7 @@ fn jumps_know_their_error() {
 /// So do a ball that slips at its edge, and one that slips in all of its contact: tractions remember what was before a jump,
 /// and the first cycle, which comes from the rest, is no measure of those that follow.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn jumps_over_what_sticks_know_their_error() {
     for amplitude in ["1.023 um", "3 um"] {
         let amplitude = format!("motion.fretting.amplitude=[\"{amplitude}\", \"0 um\"]");

@@ -331,6 +331,72 @@ fn comments_speak_plainly() {
     assert_eq!(turns("// A pair beside it.\nlet beside = 1; // `beside`\n/// It tells.").len(), 2);
 }
 
+/// The name of a public type in a line, if it is a participle.
+fn participle(line: &str) -> Option<&str> {
+    let kinds = ["pub struct ", "pub enum ", "pub trait "];
+    let name = kinds.iter().find_map(|kind| line.strip_prefix(kind))?;
+    let name = name.split(|letter: char| !letter.is_alphanumeric()).next().unwrap_or_default();
+    name.ends_with("ed").then_some(name)
+}
+
+#[test]
+fn public_types_are_nouns() {
+    let mut found = vec![];
+    for name in CRATES {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name).join("src");
+        let mut sources = vec![];
+        files(&root, &mut sources);
+        for path in sources {
+            let text = fs::read_to_string(&path).expect("a source");
+            let names = text.lines().filter_map(participle);
+            found.extend(names.map(|name| format!("{}: {name}", path.display())));
+        }
+    }
+    assert!(found.is_empty(), "name what they are:\n{}", found.join("\n"));
+    assert_eq!(participle("pub struct Settled<'a> {"), Some("Settled"));
+    assert_eq!(participle("pub struct Scar {"), None);
+}
+
+/// What `cargo test` leaves out runs in `.ci/run`, by its name in `.ci/long`.
+#[test]
+fn long_tests_run_by_name() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut sources = vec![];
+    for name in CRATES {
+        for part in ["src", "tests"] {
+            let folder = root.join("crates").join(name).join(part);
+            if folder.exists() {
+                everything(&folder, &mut sources);
+            }
+        }
+    }
+    let mut long = BTreeSet::new();
+    for path in sources {
+        let text = fs::read_to_string(&path).expect("a source");
+        let marked = text.split("#[ignore = \"long: in .ci/long\"]\n").skip(1);
+        let name = |rest: &str| {
+            let name = rest.split_once("fn ")?.1;
+            Some(name.split('(').next()?.to_owned())
+        };
+        long.extend(marked.filter_map(name));
+    }
+    let listed = fs::read_to_string(root.join(".ci/long")).expect("the names of long tests");
+    let listed: BTreeSet<String> = listed.lines().map(str::to_owned).collect();
+    assert_eq!(long, listed);
+}
+
+/// All Rust below a folder, tests too.
+fn everything(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            everything(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
 /// The most words of the book: what has a letter or a digit, signs of tables and formulas apart.
 const BOOK: usize = 25_000;
 /// The most bytes of ARCHITECTURE.md.

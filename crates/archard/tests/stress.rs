@@ -76,6 +76,7 @@ fn within(found: Maximum, known: f64, peak: f64) {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn largest_stresses_of_a_ball_are_within_their_errors() {
     // Of the whole field (Hankel integrals): below the surface, and at the trailing edge on it.
     for (mu, inside, rim) in

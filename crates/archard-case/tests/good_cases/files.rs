@@ -76,6 +76,7 @@ fn read(contact: &str, inside_out: bool) -> (tempfile::TempDir, CaseFile) {
 /// Hertz: a = (3 F R / 4 E*)^(1/3) and p0 = 3 F / 2 pi a^2. Facets of the file turn by some degrees; a zone of facets would
 /// press on a corner.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_pin_from_a_file_is_pressed_as_hertz_says() {
     let modulus = 210e9 / (1.0 - 0.09);
     let radius = f64::cbrt(0.75 * 100.0 * 0.02 / modulus);

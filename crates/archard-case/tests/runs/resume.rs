@@ -139,6 +139,7 @@ impl Observer for Shown {
 
 /// From every state of short runs, and from some of longer ones.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn kept_runs_go_on_to_the_same_bits() {
     for case in CASES {
         let mut whole = Shown::default();

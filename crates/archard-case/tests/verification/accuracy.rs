@@ -95,6 +95,7 @@ const HERTZ: &str = include_str!("../framed/hertz/case.toml");
 /// Whatever is asked for, the true errors of depth, approach, pressure and force lie within those stated, and the worst of
 /// what counts is as asked: against runs several times as accurate. Bodies that roll and fret are judged by `tests/honesty.rs`.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn stated_errors_enclose_the_true_ones() {
     let cases: [Judged; 2] = [
         (

@@ -142,6 +142,7 @@ fn the_cusp_of_unlike_cylinders_lies_within_the_error_stated() {
 /// Discs wear deepest where few of their elements slip, most of all with a little spin. Against 200 x 200 elements, which leave a
 /// part in two hundred.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn depths_where_few_elements_slip_lie_within_the_error_stated() {
     let text = r#"
         [body.one]
@@ -180,6 +181,7 @@ fn depths_where_few_elements_slip_lie_within_the_error_stated() {
 /// what turns about the normal errs by what its parts do, whose sum is small. Against 240 x 240 elements, which leave three parts in a
 /// thousand of forces and a part in fifty of moments.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn forces_under_a_shear_strength_and_moments_lie_within_the_error_stated() {
     let text = |young: &str, friction: &str, motion: &str| {
         format!(

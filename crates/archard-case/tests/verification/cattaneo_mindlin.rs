@@ -120,6 +120,7 @@ fn without_a_poisson_ratio_mindlin_is_exact() {
 /// Friction takes the mean of the tractions before and after an increment; with 40 increments a cycle the
 /// chords of the loop enclose 0.8 % less than its arcs.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_loop_encloses_the_energy() {
     let rows = two_cycles();
     let cycle = rows.column("cycle");

@@ -30,6 +30,7 @@ fn damage(cycles: usize, wear: &str, stepping: &[&str]) -> Vec<f64> {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn jumps_over_cycles_leave_the_damage_that_it_is() {
     const ALL: &[&str] = &["motion.fretting.tolerance=", "motion.fretting.jump=1"];
     let (hardly, much) = ("1e-14 1/MPa", "2e-5 1/MPa");

@@ -105,6 +105,7 @@ fn run(text: &str, law: Option<fn() -> Box<dyn WearLaw>>) -> (Vec<f64>, [Vec<f64
 /// Pairs that stay slide the distance; a point of a track slides the chord of Hertz's contact a turn; one of a wheel the creepage on
 /// that chord. The law integrates a distance that is known.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn distances_are_those_of_the_points() {
     let slides = "[motion.sliding]\nload = \"10 N\"\ndistance = \"30 mm\"\nsurfaces = \"stay\"";
     let track = "[motion.sliding]\nload = \"10 N\"\ntrack = \"3 mm\"\ndistance = \"30 mm\"\npasses = \"flat\"";

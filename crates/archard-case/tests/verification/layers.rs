@@ -34,6 +34,7 @@ fn numbers(text: &str) -> Vec<f64> {
 
 /// Loads and pressures of a rigid paraboloid on eight stacks, on 97 x 97 elements.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn paraboloids_press_layers_as_computed_independently() {
     const RADIUS: f64 = 100.0;
     for row in cells(PARABOLOID) {
@@ -88,6 +89,7 @@ fn displaced(
 
 /// All components, extrapolated from two grids, which pressures and tractions that are smooth converge on by the second order.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn displacements_of_layers_are_those_of_hankel_integrals() {
     let rows = cells(DISPLACEMENTS);
     for rows in rows.chunk_by(|one, other| one[..3] == other[..3]) {

@@ -69,6 +69,7 @@ fn a_ball_stresses_the_inside_of_a_block_as_hertz_says() {
 /// Blocks of one kind share the approach, and so the stresses, though their meshes do not match: what acts on the
 /// second is brought there from the nodes of the first.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn stresses_in_both_bodies_are_those_of_each_other() {
     let both = case(
         BALL_ON_BLOCK,
@@ -94,6 +95,7 @@ fn stresses_in_both_bodies_are_those_of_each_other() {
 /// pressure at a depth of 0.481 radii for a Poisson's ratio of 0.3 (K. L. Johnson, *Contact Mechanics*, section 3.4). The
 /// folder of what is kept gives the same without solving the equations again.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_section_shows_the_largest_equivalent_stress_where_hertz_has_it() {
     let simulation = case(BALL_ON_BLOCK, &[LARGE, MESHED]);
     let section = Section {

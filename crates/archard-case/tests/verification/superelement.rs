@@ -128,6 +128,7 @@ fn punched(dir: &Path, body: &str) -> [f64; 2] {
 /// A superelement gives the load of the elements that it was made of, and says by how much that may be off: no less than it is, and no
 /// more than six times as much.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn superelements_say_by_how_much_their_elements_are_off() {
     let dir = tempfile::tempdir().unwrap();
     for (across, growth) in [(6, 2.0), (8, 2.0)] {
@@ -148,6 +149,7 @@ fn superelements_say_by_how_much_their_elements_are_off() {
 
 /// Rows in another order than the mesh numbers its nodes are those of the places of a table.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn rows_of_a_matrix_are_those_of_the_places_given() {
     let dir = tempfile::tempdir().unwrap();
     let text = cube(4, 2.0);

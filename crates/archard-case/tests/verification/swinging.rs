@@ -192,6 +192,7 @@ fn wide_swings_take_fewer_positions() {
 
 /// Elements much finer than the way from one position to the next wear as coarse ones do, and no pressure stands out.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn fine_elements_leave_no_teeth() {
     let run = |elements: &str| {
         let options = [

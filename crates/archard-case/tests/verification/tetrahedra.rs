@@ -144,6 +144,7 @@ const KNOWN: (f64, [f64; 4]) = (5.429e7, [7.91e7, 7.486e7, 6.208e7, 3.798e7]);
 /// The load, the largest pressure and the mean pressure about the axis are those of revolution. The load is to half as much again as is
 /// stated, the largest pressure to that and to what single pressures stand off those around them.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_ball_in_a_socket_is_that_of_revolution() {
     let dir = tempfile::tempdir().unwrap();
     for across in [[10, 11], [14, 15], [18, 19], [12, 18]] {
@@ -203,6 +204,7 @@ const LOAD: f64 = 1_538.461_538;
 
 /// Pressures are those of Hertz, and so are stresses below the middle (M. T. Huber, *Annalen der Physik* 319 (1904), 153).
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_small_contact_on_a_block_is_that_of_hertz() {
     let motion = format!("[motion.indentation]\nload = \"{LOAD} N\"\nincrements = 1\n");
     let simulation = case(&format!("{PRESSED}{motion}"), &[]);
@@ -230,6 +232,7 @@ fn a_small_contact_on_a_block_is_that_of_hertz() {
 /// The largest pressure is off by less than both errors together, or the contact has fewer pairs than those around one: under contacts of
 /// .35 to 1.1 mm radius.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn errors_of_largest_pressures_are_covered() {
     for radius in [0.35_f64, 0.5, 0.6, 0.8, 1.1] {
         let load = LOAD * radius.powi(3);
@@ -272,6 +275,7 @@ fn a_ball_frets_on_tetrahedra_as_mindlins_does() {
 
 /// A ball that slides and wears on the block loses k F s, and is as flat as on the same pairs of a half-space.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_ball_wears_on_tetrahedra_as_on_a_half_space() {
     let motion =
         format!("[motion.sliding]\nload = \"{LOAD} N\"\ndistance = \"5 m\"\nstep = \"0.5 m\"\n");

@@ -290,6 +290,7 @@ fn a_stroke_ends_where_the_contact_turns() {
 
 /// Far from its ends a stroke wears as a surface that passes, and the ball likewise; ends that wear on reach further in.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_long_stroke_passes() {
     let stroke = "stroke = \"3 mm\"\npasses = \"disc\"\ndistance = \"40 m\"\ntolerance = 0.003";
     let text = text(1e-7, 1e-6, stroke);

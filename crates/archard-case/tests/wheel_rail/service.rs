@@ -8,6 +8,7 @@ use super::{MANCHESTER, resolve};
 /// A wheel that is sent over the distance of its life has just the depth of its limit, to the errors that are stated; limits that are not
 /// reached say so, and those of a standard follow from the diameter.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_wheel_sent_over_its_life_is_at_its_limit() {
     let route = "share,shift [mm]\n0.6,3\n0.4,0\n";
     let worn = |distance: f64, until: &[&str]| {
@@ -88,6 +89,7 @@ fn wrong_limits_are_refused_in_words() {
 /// A wheel is turned at its first limit: what that costs of the radius is that of the wheel which runs so far, and all runs together are
 /// those of its radii. A wheel without limits is turned at the end.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_wheel_is_turned_again() {
     let route = "share,shift [mm]\n0.6,3\n0.4,0\n";
     let worn = |distance: f64, options: &[&str]| {
@@ -135,6 +137,7 @@ fn a_wheel_is_turned_again() {
 
 /// Damage by cracks is a limit like any other, and has its columns along the profile and over the route.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_wheel_may_crack_before_it_is_worn() {
     let options = [
         WEARS,
@@ -249,6 +252,7 @@ fn a_flange_may_wear_by_its_own_law() {
 
 /// A wheel that may be turned to thinner flanges runs as far as one that may not, or farther, on the radius that it has.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_wheel_may_be_turned_to_thinner_flanges() {
     let route = "share,shift [mm]\n0.6,0\n0.4,4.6\n";
     let usual = [

@@ -115,6 +115,7 @@ const BREACH: &str = "new Promise((done) => { document.body.insertAdjacentHTML('
     setTimeout(() => done(window.ran === undefined), 400); })";
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn nothing_of_a_stranger_runs() {
     let dir = TempDir::new().unwrap();
     let mut browser = Page::open();

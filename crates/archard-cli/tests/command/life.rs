@@ -29,6 +29,7 @@ const KEY: &str = "body.pin.wear.archard.coefficient";
 /// Where k s alone counts a life is as 1 over k: the 90 % quantile of Student's t of four degrees of freedom is 1.5332, the 99 % one
 /// 3.7469 (any table).
 #[test]
+#[ignore = "long: in .ci/long"]
 fn lives_scatter_as_the_coefficient_does() {
     let dir = TempDir::new().unwrap();
     put_fit(&dir, KEY, json!([0.3, 4.0]));
@@ -123,6 +124,7 @@ fn what_is_not_told_is_said() {
 
 /// A fit of a case with a limit has its life in a folder of its own, with a picture.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_fit_tells_how_long_its_case_lasts() {
     let dir = TempDir::new().unwrap();
     let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/fit/tests.csv");

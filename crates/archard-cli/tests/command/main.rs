@@ -123,6 +123,7 @@ fn results_come_with_their_errors() {
 
 /// The first page of the book shows a case and lines that its run prints.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_first_page_shows_what_its_case_gives() {
     let dir = TempDir::new().unwrap();
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/index.md");

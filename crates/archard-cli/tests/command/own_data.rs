@@ -69,6 +69,7 @@ fn files_of_the_user_are_in_the_way_of_every_command() {
 
 /// Pictures that the user put in the places of drawn ones stay, and none is drawn then; drawn ones are drawn again.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn pictures_of_the_user_stay() {
     let dir = TempDir::new().unwrap();
     let pin = case("pin_on_disc");

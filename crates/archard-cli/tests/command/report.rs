@@ -60,6 +60,7 @@ fn folders_without_results_are_refused() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_page_replaces_no_other_file() {
     let dir = TempDir::new().unwrap();
     run(&dir, "pin_on_disc", &PIN, &["--report"]);
@@ -178,6 +179,7 @@ fn look(page: &mut Page, file: &Path, name: &str, widths: [u32; 2]) -> usize {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn pages_of_all_motions_open_in_a_browser() {
     let Some(mut page) = Page::open() else { return };
     let dir = TempDir::new().unwrap();
@@ -239,6 +241,7 @@ const STILLS: &str = "(() => { const seen = (one) => one.getBoundingClientRect()
     return [figures.length, figures.filter((one) => seen(one.querySelector('img.still'))).length, figures.filter((one) => one.querySelector('img.still').naturalWidth > 100).length]; })()";
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_slider_goes_through_the_outputs() {
     let Some(mut page) = Page::open() else { return };
     let dir = TempDir::new().unwrap();

@@ -204,6 +204,7 @@ fn rolling_says_what_to_expect_and_what_came_out() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     let dir = TempDir::new().unwrap();
     let case = case("cattaneo_mindlin");

@@ -33,6 +33,7 @@ fn scan(seed: u64, ground: f64, scar: bool) -> String {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn what_is_worn_between_two_scans_is_said_and_written() {
     let dir = TempDir::new().unwrap();
     let put = |name: &str, text: String| fs::write(dir.path().join(name), text).unwrap();

@@ -88,6 +88,7 @@ fn lists_are_values() {
 
 /// Two keys that are numbers make a map.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn two_keys_make_a_map() {
     let dir = TempDir::new().unwrap();
     let pin = case("pin_on_disc");

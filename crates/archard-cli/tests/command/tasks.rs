@@ -10,6 +10,7 @@ use tempfile::TempDir;
 const MOST: usize = 3;
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_tasks_of_the_book_can_be_done() {
     let dir = TempDir::new().unwrap();
     let tasks = run_page("tasks.md", dir.path());
@@ -38,6 +39,7 @@ fn a_log_leads_to_a_life() {
 
 /// From a log and scans of three tests to a coefficient, and to the depth of the next one.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_first_lesson_leads_to_a_number() {
     let dir = TempDir::new().unwrap();
     assert_eq!(run_page("tutorial.md", dir.path()), 3);

@@ -9,6 +9,7 @@ use super::{archard, printed, said};
 
 /// The page is the one that the command makes; `ARCHARD_PAGES` writes it.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_page_of_measured_wear_is_current() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let dir = TempDir::new().unwrap();

@@ -55,6 +55,7 @@ fn words(page: &str) -> String {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn the_page_reloads_until_the_run_is_over() {
     let dir = TempDir::new().unwrap();
     let summary = half_way(&dir);

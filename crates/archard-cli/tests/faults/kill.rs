@@ -75,6 +75,7 @@ fn kill(times: u64, seed: u64) {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn killed_runs_leave_whole_files() {
     kill(2, 0x9e3779b97f4a7c15);
 }
@@ -207,6 +208,7 @@ fn resume(dir: &Path) -> std::process::Command {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn killed_runs_go_on_to_the_same_files() {
     kill_and_resume(3, 0x9e3779b97f4a7c15);
 }
@@ -278,6 +280,7 @@ fn the_next_run_clears_up_after_a_killed_one() {
 
 /// A route that is killed ten times and gone on with leaves the files of one that was let be, to the byte.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_route_that_is_killed_goes_on() {
     let settings = [
         "frame.elements=16",

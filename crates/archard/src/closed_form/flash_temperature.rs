@@ -111,6 +111,7 @@ mod tests {
     }
 
     #[test]
+    #[ignore = "long: in .ci/long"]
     fn semi_ellipses_are_sums_of_bands() {
         for c in [0.0, 0.4, 1.0] {
             let rises: Vec<f64> =

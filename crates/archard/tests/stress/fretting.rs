@@ -158,6 +158,7 @@ fn damage_without_wear_is_cycles_over_a_life() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn damage_under_a_surface_that_wears_evenly_is_an_integral_on_the_way_up() {
     let line = line(128);
     let cycle = cycle(&line);

@@ -93,6 +93,7 @@ const KNOWN: [Known; 4] = [
 ];
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn interfaces_bear_what_hankel_integrals_say_within_the_error() {
     for (layers, base, mu, above, below) in KNOWN {
         for grid in [(8, 8), (16, 6)] {

@@ -129,6 +129,7 @@ fn sections_follow_the_direction_of_rolling() {
 }
 
 #[test]
+#[ignore = "long: in .ci/long"]
 fn a_folder_without_a_case_is_drawn_without_the_limit() {
     let dir = tempdir().unwrap();
     roll(dir.path(), &rolling("x"), "");

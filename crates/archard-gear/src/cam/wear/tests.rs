@@ -163,6 +163,7 @@ fn a_dwell_is_one_place_of_the_follower() {
 
 /// A spline through rounded lifts knows its second derivative badly, and the errors hold what comes of that.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn rounded_lifts_are_in_the_errors() {
     let exact = eccentric(Follower::Flat).wear(1.0, &[]);
     for (degrees, digits) in [(5, 12), (1, 7), (1, 6)] {

@@ -59,6 +59,7 @@ fn punch() -> Body {
 /// Even tractions and such that rise along an axis displace pairs as the nodes of a mesh, less what half-spaces of both would, whose
 /// pairs are others: what is smooth is told apart by its means over the zone, weighed with the tractions. Body 2 lies above.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn image_fields_are_those_of_meshes_along_all_axes() {
     let [dense, image] = [Some(6.0), None].map(|elements| block([0.6, 0.5, 0.4], elements));
     let half_space = || Body { finite: None, ..image.clone() };
@@ -178,6 +179,7 @@ fn other_elements_and_passages_see_the_same_field() {
 
 /// Both bodies are blocks: each gives way as by itself.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn image_fields_of_two_bodies_add_up() {
     let frame = ContactFrame::uniform([ZONE; 2], [10; 2], [&Flat, &Flat]).unwrap();
     let [low, wide] = [[1.0, 1.0, 0.3], [0.8, 1.0, 0.6]].map(|size| block(size, None));
@@ -199,6 +201,7 @@ fn image_fields_of_two_bodies_add_up() {
 /// Even pressure on a block that is moved: what is missed grows by what the field at the ends of its way differs from that in the middle,
 /// and a way past the end of the face is refused.
 #[test]
+#[ignore = "long: in .ci/long"]
 fn what_is_missed_holds_what_moving_a_body_changes() {
     let bodies = [punch(), block([1.0, 0.6, 0.5], None)];
     let at = |x: f64| {
