@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::away::{away, pool};
 
 /// A problem: severity, key, message, what to do, and where it stands.
-pub type Listener = (String, String, String, Option<String>, String);
+pub type ProblemParts = (String, String, String, Option<String>, String);
 
 pyo3::import_exception!(archard._errors, CaseError);
 
@@ -61,7 +61,7 @@ impl Checked {
 
     /// What is doubtful about it.
     #[getter]
-    fn warnings(&self) -> Vec<Listener> {
+    fn warnings(&self) -> Vec<ProblemParts> {
         self.task.warnings().iter().map(|problem| told(&self.file, problem)).collect()
     }
 
@@ -79,18 +79,18 @@ impl Checked {
 }
 
 /// What a case asks for, or all that is wrong with it.
-pub fn resolve(file: &archard_case::CaseFile) -> Result<Task, Vec<Listener>> {
+pub fn resolve(file: &archard_case::CaseFile) -> Result<Task, Vec<ProblemParts>> {
     let tell = |problems: Vec<Problem>| problems.iter().map(|one| told(file, one)).collect();
     file.task().map_err(tell)
 }
 
 /// The error of a case that cannot be run.
-pub fn refused(problems: Vec<Listener>) -> PyErr {
+pub fn refused(problems: Vec<ProblemParts>) -> PyErr {
     CaseError::new_err((problems,))
 }
 
 /// A problem in words.
-pub fn told(file: &archard_case::CaseFile, problem: &Problem) -> Listener {
+pub fn told(file: &archard_case::CaseFile, problem: &Problem) -> ProblemParts {
     let place = match &problem.location {
         Some(at) if at.source == Source::File => {
             format!("{}:{}", file.name(at.source), file.line(at))

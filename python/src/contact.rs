@@ -94,7 +94,7 @@ impl Inside {
 
 /// Why there is no contact.
 enum Unsolved {
-    Case(Vec<crate::case::Listener>),
+    Case(Vec<crate::case::ProblemParts>),
     Other(&'static str),
     Run(String),
 }

@@ -10,7 +10,7 @@ use archard_case::{Case, RunnableCase, Task};
 use crate::arguments::Run;
 use crate::equations::Equations;
 use crate::failure::Failure;
-use crate::interrupt::{Interrupted, Watch};
+use crate::interrupt::{Interruption, Watch};
 use crate::progress::Follower;
 use crate::run::one_thread;
 
@@ -125,8 +125,8 @@ fn failure(error: AccuracyFailure) -> Failure {
     let message = error.to_string();
     let AccuracyFailure::Run { cause, .. } = &error else { return Failure::Wrong(message) };
     match &**cause {
-        Error::Observer(cause) if cause.is::<Interrupted>() => {
-            Failure::Interrupted(format!("{Interrupted} before the run had begun"))
+        Error::Observer(cause) if cause.is::<Interruption>() => {
+            Failure::Interrupted(format!("{Interruption} before the run had begun"))
         }
         cause if cause.is_of_convergence() => Failure::NotConverged(message),
         _ => Failure::Wrong(message),

@@ -15,7 +15,7 @@ use crate::arguments::{Fit as Arguments, Run};
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::folder;
-use crate::interrupt::{Interrupted, Requests};
+use crate::interrupt::{Interruption, Requests};
 use crate::plot;
 use crate::progress::Follower;
 use crate::say::{on_terminal, say, tell};
@@ -151,7 +151,7 @@ impl RunFollower for Follow {
     }
 
     fn stops(&mut self) -> Option<Box<dyn StdError + Send + Sync>> {
-        self.requests.any().then(|| Interrupted.into())
+        self.requests.any().then(|| Interruption.into())
     }
 }
 
@@ -160,7 +160,7 @@ impl Observer for Follow {
         if let Some(shown) = &mut self.shown {
             shown.observe(report)?;
         }
-        if self.requests.any() { Err(Interrupted.into()) } else { Ok(()) }
+        if self.requests.any() { Err(Interruption.into()) } else { Ok(()) }
     }
 }
 

@@ -25,7 +25,7 @@ const SAME: Duration = Duration::from_millis(250);
 /// The user has had enough.
 #[derive(Debug, thiserror::Error)]
 #[error("interrupted")]
-pub struct Interrupted;
+pub struct Interruption;
 
 /// Watches for requests to stop, and holds what they have to save.
 #[derive(Clone)]
@@ -69,7 +69,7 @@ impl Requests {
 fn leave() {
     std::thread::sleep(GRACE);
     let failure = Failure::Interrupted(format!(
-        "{Interrupted}\nthe same command goes on with what is not done"
+        "{Interruption}\nthe same command goes on with what is not done"
     ));
     failure.report();
     std::process::exit(failure.code().into());
@@ -184,9 +184,9 @@ impl Watch {
             }
             Held::Results(results) => {
                 let dir = results.dir().to_owned();
-                match results.finish(Some(Interrupted.to_string())) {
+                match results.finish(Some(Interruption.to_string())) {
                     Ok(_) => with_results(&dir),
-                    Err(error) => Failure::Interrupted(format!("{Interrupted}, and {error}")),
+                    Err(error) => Failure::Interrupted(format!("{Interruption}, and {error}")),
                 }
             }
         };
@@ -205,7 +205,7 @@ impl Observer for Watch {
                 results.folder.keep_now(report)?;
             }
         }
-        if asked { Err(Interrupted.into()) } else { Ok(()) }
+        if asked { Err(Interruption.into()) } else { Ok(()) }
     }
 
     fn ends(&self) -> bool {
@@ -219,11 +219,11 @@ pub fn with_results(dir: &Path) -> Failure {
     let dir = dir.display();
     if !kept {
         return Failure::Interrupted(format!(
-            "{Interrupted} before the first step had ended\nthe same command starts again"
+            "{Interruption} before the first step had ended\nthe same command starts again"
         ));
     }
     Failure::Interrupted(format!(
-        "{Interrupted}\nwhat was computed so far is in {dir}; go on with `archard run --resume {dir}`, or draw it with \
+        "{Interruption}\nwhat was computed so far is in {dir}; go on with `archard run --resume {dir}`, or draw it with \
          `archard plot {dir}`"
     ))
 }
@@ -232,14 +232,14 @@ pub fn with_results(dir: &Path) -> Failure {
 fn on_a_route(dir: &Path) -> Failure {
     let dir = dir.display();
     Failure::Interrupted(format!(
-        "{Interrupted}\nthe route is kept in {dir}; go on with `archard run --resume {dir}`"
+        "{Interruption}\nthe route is kept in {dir}; go on with `archard run --resume {dir}`"
     ))
 }
 
 /// An interruption before there were any.
 fn before_results() -> Failure {
     Failure::Interrupted(format!(
-        "{Interrupted} before there were results\nnothing was written or replaced; the same command starts again"
+        "{Interruption} before there were results\nnothing was written or replaced; the same command starts again"
     ))
 }
 

@@ -15,7 +15,7 @@ use crate::arguments::Run;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::fitted::{self, FittedCoefficient};
-use crate::interrupt::{Interrupted, Watch};
+use crate::interrupt::{Interruption, Watch};
 use crate::number::four;
 use crate::progress::Follower;
 
@@ -229,8 +229,8 @@ fn similar(mut case: Case) -> Option<String> {
 
 fn failed(error: Error) -> Failure {
     match error {
-        Error::Observer(cause) if cause.is::<Interrupted>() => {
-            Failure::Interrupted(format!("{Interrupted} before the run had begun"))
+        Error::Observer(cause) if cause.is::<Interruption>() => {
+            Failure::Interrupted(format!("{Interruption} before the run had begun"))
         }
         error if error.is_of_convergence() => Failure::NotConverged(error.to_string()),
         error => Failure::wrong(error.to_string()),

@@ -17,7 +17,7 @@ use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
 use crate::gear;
-use crate::interrupt::{self, Interrupted, Watch};
+use crate::interrupt::{self, Interruption, Watch};
 use crate::lives::{FitSample, LifeForecast};
 use crate::outcome::Outcome;
 use crate::progress::Follower;
@@ -217,7 +217,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
     };
     let message = format!("{error}{kept}");
     match error {
-        Error::Observer(cause) if cause.is::<Interrupted>() => interrupt::with_results(dir),
+        Error::Observer(cause) if cause.is::<Interruption>() => interrupt::with_results(dir),
         Error::Observer(cause) if is_no_number(&*cause) => Failure::NotConverged(message),
         error if error.is_of_convergence() => Failure::NotConverged(message),
         _ => Failure::Wrong(message),

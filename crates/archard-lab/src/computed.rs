@@ -20,14 +20,14 @@ pub(super) struct Shapes<'a, 'f> {
     /// Whether runs have half the elements of the case along each axis.
     halved: bool,
     /// What was put into the case, how far the run went, and what it shows.
-    known: Vec<(Vec<Setting>, f64, DrawnCurve)>,
+    known: Vec<(Vec<Setting>, f64, Sections)>,
 }
 
 /// A key with a value (SI) and its unit.
 pub(super) type Setting = (String, f64, String);
 
 /// Sections through the middle, by body and axis, step by step.
-type DrawnCurve = [[Vec<Vec<[f64; 2]>>; 2]; 2];
+type Sections = [[Vec<Vec<[f64; 2]>>; 2]; 2];
 
 impl<'a, 'f> Shapes<'a, 'f> {
     pub fn of(
@@ -76,7 +76,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
         Shape::of(steps).ok_or_else(none)
     }
 
-    fn run(&mut self, settings: &[Setting], share: f64) -> Result<DrawnCurve, Error> {
+    fn run(&mut self, settings: &[Setting], share: f64) -> Result<Sections, Error> {
         let file = settings.iter().fold(self.file.clone(), put);
         let settings = described(settings);
         let mut case = file
@@ -92,7 +92,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
         let failed = |why: String| Error::Run { settings: settings.clone(), why };
         let mut simulation = built(&case, self.store).map_err(|error| failed(error.to_string()))?;
         simulation.schedule = passing(&simulation.problem.motion, &simulation.schedule, &[share]);
-        let mut recorder = Recorder { share, shown: DrawnCurve::default() };
+        let mut recorder = Recorder { share, shown: Sections::default() };
         match simulation.run(&mut [&mut recorder, self.following.observer()]) {
             Ok(_) => Ok(recorder.shown),
             Err(simulation::Error::Observer(cause)) => Err(Error::Stopped { cause, runs: 0 }),
@@ -104,7 +104,7 @@ impl<'a, 'f> Shapes<'a, 'f> {
 /// Keeps worn sections up to a share of the run.
 struct Recorder {
     share: f64,
-    shown: DrawnCurve,
+    shown: Sections,
 }
 
 impl Observer for Recorder {

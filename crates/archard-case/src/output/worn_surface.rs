@@ -22,7 +22,7 @@ pub struct WornSurface {
 }
 
 /// The parts that meet at each corner, each with whether it is reflected along x and y.
-type BodiesInContact = Vec<Vec<(usize, [bool; 2])>>;
+type Corners = Vec<Vec<(usize, [bool; 2])>>;
 
 /// The vector that exaggerates the surface.
 pub const RELIEF: &str = "relief_mm";
@@ -137,7 +137,7 @@ impl WornSurface {
     }
 
     /// The corners of all parts, those at one place once, and the parts that meet at each, with their mirror images.
-    fn on_corners(surface: &Surface) -> (Self, BodiesInContact) {
+    fn on_corners(surface: &Surface) -> (Self, Corners) {
         let places = surface.outlines.iter().flatten().flatten();
         let size = places.fold(0.0, |most: f64, place| most.max(place.abs()));
         let mut known = HashMap::new();

@@ -185,15 +185,13 @@ pub(crate) fn is_study(dir: &Path) -> bool {
 }
 
 /// Panels under the name of their picture.
-type HandbookMaterial = (&'static str, Vec<Panel>);
+type Named = (&'static str, Vec<Panel>);
 
 /// The panels of a study by the name of their picture, and what they have to say of rows that are left out.
 ///
 /// # Errors
 /// If the study has no results.
-pub(crate) fn panels_of_study(
-    dir: &Path,
-) -> anyhow::Result<(Vec<HandbookMaterial>, Option<String>)> {
+pub(crate) fn panels_of_study(dir: &Path) -> anyhow::Result<(Vec<Named>, Option<String>)> {
     let (pictures, mark) = study::pictures(dir, &[])?;
     Ok((pictures.into_iter().map(|picture| (picture.name, picture.panels)).collect(), mark))
 }

@@ -10,7 +10,7 @@ use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, ResultFolder, Store};
 use archard_case::{BuildError, Case, Problem, RunnableCase};
 
-use crate::interrupt::{Interrupted, Requests};
+use crate::interrupt::{Interruption, Requests};
 use crate::underway::{self, Underway};
 
 /// What came of a row.
@@ -75,7 +75,7 @@ fn attempt(
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
     let claim = Claim::take(dir)?.adopting();
-    let mut stop = |_: Event<'_>| if requests.any() { Err(Interrupted.into()) } else { Ok(()) };
+    let mut stop = |_: Event<'_>| if requests.any() { Err(Interruption.into()) } else { Ok(()) };
     let built = resolved.clone().settle(&mut |case| Ok(build(case, store)?), &mut stop);
     if requests.any() {
         claim.give_up();
@@ -163,7 +163,7 @@ impl Observer for StoppableOutput<'_> {
         self.folder.observe(report)?;
         if self.requests.any() {
             self.folder.keep_now(report)?;
-            return Err(Interrupted.into());
+            return Err(Interruption.into());
         }
         Ok(())
     }

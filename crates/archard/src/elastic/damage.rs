@@ -48,19 +48,19 @@ pub struct Damage {
 }
 
 /// A value with its error.
-type Listener = [f64; 2];
+type WithError = [f64; 2];
 
 /// What became of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DamageOfBody {
     /// The largest damage of all points, also of those worn off; 1 is the end of a life.
-    pub largest: Listener,
+    pub largest: WithError,
     /// Where that is: along x and y, and up from the unworn surface (m).
     pub place: [f64; 3],
     /// The largest damage of the points that are there at the end.
-    pub left: Listener,
+    pub left: WithError,
     /// The cycles that went by until the first point was at the end of its life, if one was.
-    pub life: Option<Listener>,
+    pub life: Option<WithError>,
     /// Depth (m) below the unworn surface, and the largest damage of all points there and of those left.
     pub rows: Vec<[f64; 3]>,
     /// Whether some place is worn down to below all points.
@@ -152,7 +152,7 @@ impl Damage {
         let station = all.last.as_ref()?;
         let (largest, at) = all.largest()?;
         let (left, cycles) = (all.left(), station.cycles);
-        let apart = |value: f64, of: &dyn Fn(&Sum) -> f64| -> Listener {
+        let apart = |value: f64, of: &dyn Fn(&Sum) -> f64| -> WithError {
             [value, parts.iter().map(|part| (of(part) - value).abs()).sum()]
         };
         // What a sum makes of a life that it does not see the end of.

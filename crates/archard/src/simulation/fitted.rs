@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::refusal::{Part, Refusal};
-use crate::body::profile::{Fitted, Round};
+use crate::body::profile::{ClearanceFit, Round};
 use crate::body::{Body, Profile};
 use crate::compliance::HalfSpace;
 use crate::frame::Wrap;
@@ -115,7 +115,7 @@ pub fn fitted(bodies: &[Body; 2], kind: Kind, friction: bool, motion: &Motion) -
 }
 
 /// Two profiles that do not fit into each other.
-fn pair(bodies: &[Body; 2], of: [Option<Fitted>; 2], one: Fitted) -> Option<Refusal> {
+fn pair(bodies: &[Body; 2], of: [Option<ClearanceFit>; 2], one: ClearanceFit) -> Option<Refusal> {
     let refusal = |body: usize, what: String, help: String| {
         Some(Refusal::new(Part::Profile(bodies[body].name.clone()), what, help))
     };
@@ -136,7 +136,7 @@ fn pair(bodies: &[Body; 2], of: [Option<Fitted>; 2], one: Fitted) -> Option<Refu
         return refusal(own, what, help);
     };
     if first.round != second.round || first.hollow == second.hollow {
-        let word = |one: Fitted| one.round.names()[usize::from(one.hollow)];
+        let word = |one: ClearanceFit| one.round.names()[usize::from(one.hollow)];
         let what = format!("a `{}` does not fit a `{}`", word(second), word(first));
         return refusal(
             1,

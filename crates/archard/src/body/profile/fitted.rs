@@ -45,7 +45,7 @@ impl Round {
 
 /// A body that fits into another one, or another one into it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fitted {
+pub struct ClearanceFit {
     /// What its surface is a part of.
     pub round: Round,
     /// Radius (m) of its surface.
@@ -69,7 +69,7 @@ pub(super) const SOCKET: Choice<Box<dyn Profile>> = Choice {
     parameters: &[RADIUS, RIM],
     build: |values| {
         let radius = values.require("radius")?;
-        let socket = Fitted::new(Round::Sphere, radius, true)?;
+        let socket = ClearanceFit::new(Round::Sphere, radius, true)?;
         Ok(Box::new(values.number("rim").map_or(Ok(socket), |rim| socket.with_rim(rim))?))
     },
 };
@@ -103,10 +103,10 @@ const RIM: Parameter = Parameter::optional(
 .bound(Bound::UpTo(0.0, FRAC_PI_2));
 
 fn built(values: &Values, round: Round, hollow: bool) -> Result<Box<dyn Profile>, Invalid> {
-    Ok(Box::new(Fitted::new(round, values.require("radius")?, hollow)?))
+    Ok(Box::new(ClearanceFit::new(round, values.require("radius")?, hollow)?))
 }
 
-impl Fitted {
+impl ClearanceFit {
     /// A surface of that radius (m), hollow or not.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ impl Fitted {
     }
 }
 
-impl Profile for Fitted {
+impl Profile for ClearanceFit {
     fn recess(&self, x: f64, y: f64) -> f64 {
         let depth = self.radius * (1.0 - self.round.cosine(self.radius, [x, y]));
         if self.hollow { -depth } else { depth }
@@ -139,7 +139,7 @@ impl Profile for Fitted {
         }
     }
 
-    fn fitted(&self) -> Option<Fitted> {
+    fn fitted(&self) -> Option<ClearanceFit> {
         Some(*self)
     }
 }

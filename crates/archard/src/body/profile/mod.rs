@@ -22,7 +22,7 @@ use std::fmt::Debug;
 pub use axisymmetric_power::AxisymmetricPower;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use fitted::{Fitted, Round};
+pub use fitted::{ClearanceFit, Round};
 pub use flat::Flat;
 pub use flat_end::FlatEnd;
 pub use paraboloid::Paraboloid;
@@ -65,7 +65,7 @@ pub trait Profile: Debug + Send + Sync {
     }
 
     /// What the surface is of a body that fits into another one, so that the frame is drawn on it; `None` of others.
-    fn fitted(&self) -> Option<Fitted> {
+    fn fitted(&self) -> Option<ClearanceFit> {
         None
     }
 }

@@ -119,7 +119,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use crate::body::Material;
-    use crate::body::profile::{Fitted, Round};
+    use crate::body::profile::{ClearanceFit, Round};
     use crate::compliance::{Compliance, HalfSpace};
     use crate::frame::{ContactFrame, Part};
 
@@ -128,7 +128,7 @@ mod tests {
 
     /// An elastic ball in something rigid, up to 43 and 35 degrees from the pole.
     fn made() -> (ContactFrame, HalfSpace) {
-        let fitted = |radius, hollow| Fitted::new(Round::Sphere, radius, hollow).unwrap();
+        let fitted = |radius, hollow| ClearanceFit::new(Round::Sphere, radius, hollow).unwrap();
         let (ball, socket) = (fitted(RADIUS, false), fitted(1.01 * RADIUS, true));
         let size = [1.5 * RADIUS, 1.25 * RADIUS];
         let frame = ContactFrame::uniform(size, ELEMENTS, [&ball, &socket]).unwrap();
