@@ -23,7 +23,7 @@ from archard._surface import Surface, surface
 from archard._sweep import Row, Sweep, sweep
 from archard._table import Table
 from archard._tribometer import read_log
-from archard._validate import Comparison, Validation, validate
+from archard._validate import Prediction, Validation, validate
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Verdict
 from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
@@ -36,7 +36,6 @@ __all__ = [
     "CaseWarning",
     "Coefficient",
     "Comparison",
-    "Comparison",
     "Contact",
     "Difference",
     "Exponent",
@@ -47,6 +46,7 @@ __all__ = [
     "Law",
     "Material",
     "NotConverged",
+    "Prediction",
     "Problem",
     "Profile",
     "Result",

@@ -73,9 +73,9 @@ class Contact:
         """Return the derivative by a parameter of the shape, at the same load; exact and known as :meth:`by_load`.
 
         Args:
-            gap: the derivative of the gap by it (m over its unit), positive where bodies part, shaped as the pressure: by
-                the radius of a ball ``-(x**2 + y**2) / (2 * radius**2)``, by the distance that bodies wear over
-                ``k * contact.pressure``.
+            gap: the derivative of the gap by it (m over its unit), positive where bodies part, shaped as the
+                pressure: by the radius of a ball ``-(x**2 + y**2) / (2 * radius**2)``, by the distance that bodies
+                wear over ``k * contact.pressure``.
 
         """
         values = np.asarray(gap, dtype=float)

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from archard import _archard
 
 
-class Comparison(NamedTuple):
+class Prediction(NamedTuple):
     """A measured value next to its prediction, in SI."""
 
     test: str
@@ -39,8 +39,8 @@ class Validation:
         """What was tested."""
         self.rejected: str | None = self.json["rejected"]
         """Why the law is rejected, if it is."""
-        self.values: list[Comparison] = [
-            Comparison(
+        self.values: list[Prediction] = [
+            Prediction(
                 own["test"],
                 own["quantity"],
                 own["measured"],
