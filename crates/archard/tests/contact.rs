@@ -9,10 +9,10 @@ use archard::body::profile::{Flat, Sphere, Wave};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::friction::Coulomb;
-use archard::motion::{Control, Drive, Station};
-use archard::simulation::Builder;
+use archard::motion::{Control, Drive, Sliding, Station, Stepping};
+use archard::simulation::{Builder, Run};
 use archard::wear::Archard;
-use archard::{Body, Contact, Material};
+use archard::{Body, Contact, Material, Simulation};
 
 const RADIUS: f64 = 50e-3;
 const LOAD: f64 = 10.2;
@@ -147,6 +147,31 @@ fn derivatives_by_the_shape_are_hertz_s() {
     assert_relative_eq!(apart.approach, 1.0, max_relative = 1e-6);
     let scale = hertz.peak_pressure / hertz.approach;
     assert!(apart.pressure.iter().all(|own| own.abs() < 1e-5 * scale));
+}
+
+/// What a ball loses over the first micrometre of its way changes the pressure in a run as the derivative by the distance says.
+#[test]
+fn derivatives_by_wear_are_those_of_a_run() {
+    let (k, distance) = (1e-13, 1e-6);
+    let [ball, flat] = ball_on_flat();
+    let ball = ball.wear(Archard::new(k).expect("a coefficient"));
+    let motion = Sliding::new()
+        .over(distance, Control::Load(LOAD), Stepping::Explicit(distance))
+        .expect("a motion");
+    let builder = Simulation::builder([ball, flat], motion).frame([0.36e-3; 2], [48; 2]);
+    let mut run = Run::begin(builder.build().expect("a simulation")).expect("a contact");
+    let unworn = run.report().state.pressure.clone();
+    while run.step().expect("a step") {}
+    let contact = solved(Contact::between(ball_on_flat(), Control::Load(LOAD)).expect("a control"));
+    let lost: Vec<f64> = contact.pressure().iter().map(|pressure| k * pressure).collect();
+    let by_wear = contact.by_shape(&lost).expect("it converges").expect("it is known");
+    let most = by_wear.pressure.iter().map(|own| own.abs()).fold(0.0, f64::max);
+    for (own, (worn, unworn)) in
+        by_wear.pressure.iter().zip(run.report().state.pressure.iter().zip(&unworn))
+    {
+        let slope = (worn - unworn) / distance;
+        assert!((own - slope).abs() < 1e-3 * most, "{own} {slope}");
+    }
 }
 
 /// Summits that yield bear no more as the load grows.
