@@ -22,7 +22,7 @@ class Derivative(NamedTuple):
     pressure: Array
     """Of the pressure (Pa over the unit), shaped like it."""
     approach: float
-    """Of the approach (m over the unit); by the load it is one over the stiffness of the contact."""
+    """Of the approach (m over the unit), from the first touch of the bodies as they are."""
 
 
 @dataclass(frozen=True)
@@ -70,12 +70,16 @@ class Contact:
         return self._derivative(_archard.by_load(self._inside[0]))
 
     def by_shape(self, gap: ArrayLike) -> Derivative:
-        """Return the derivative by a parameter of the shape, at the same load; exact and known as :meth:`by_load`.
+        """Return the derivative by a parameter of the shape, at the same load, to the root of the tolerance.
 
         Args:
             gap: the derivative of the gap by it (m over its unit), positive where bodies part, shaped as the
                 pressure: by the radius of a ball ``-(x**2 + y**2) / (2 * radius**2)``, by the distance that bodies
                 wear over ``k * contact.pressure``.
+
+        Raises:
+            RunError: if the solve does not converge.
+            ValueError: where :meth:`by_load` is not known, and if the gap is shaped otherwise.
 
         """
         values = np.asarray(gap, dtype=float)

@@ -1,7 +1,7 @@
 //! Case files, meshes, tables and kept compliances that are damaged at random: an error or a case, soon.
 //!
 //! Some hundreds in every test, ten minutes of each in `just soak`. What fails is named by its seed:
-//! `ARCHARD_SEED=17 cargo test --test damaged` tries that one.
+//! `ARCHARD_SEED=17 cargo test --test damaged -- --include-ignored --skip length` tries that one.
 
 #[path = "common/damage.rs"]
 mod damage;

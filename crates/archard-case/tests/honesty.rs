@@ -2,7 +2,7 @@
 //! five times as accurate.
 //!
 //! The cases change with the version, so that no estimate is made for the ones that it is judged by. `ARCHARD_SEED=17 cargo test
-//! --test honesty -- --nocapture` runs one of them.
+//! --test honesty -- --ignored --nocapture stated` runs one of them.
 
 #[path = "honesty/cases.rs"]
 mod cases;

@@ -123,6 +123,7 @@ fn derivatives_by_the_shape_are_hertz_s() {
             // p = p0 sqrt(1 - r^2 / a^2), of which p0 goes with R^(-2/3) and a with R^(1/3).
             let known = (1.0 - r * r).sqrt().recip() * (r * r - 2.0 * (1.0 - r * r));
             let known = hertz.peak_pressure * known / (3.0 * RADIUS);
+            // As far as the approach is.
             let largest = hertz.peak_pressure / RADIUS;
             assert!((by_radius.pressure[pair] - known).abs() < 0.01 * largest);
         }
@@ -142,7 +143,7 @@ fn derivatives_by_the_shape_are_hertz_s() {
         contact.by_shape(&vec![0.0; frame.len()]).expect("it converges").expect("known").approach,
         0.0
     );
-    // The same everywhere: bodies that are further apart, pressed as they were.
+    // The same everywhere: bodies that are further apart than at their first touch, pressed as they were.
     let apart = contact.by_shape(&vec![1.0; frame.len()]).expect("it converges").expect("known");
     assert_relative_eq!(apart.approach, 1.0, max_relative = 1e-6);
     let scale = hertz.peak_pressure / hertz.approach;

@@ -12,7 +12,7 @@ const HEAD: &str = "\
 
 Every case of the repository against closed forms, independent solutions and published values: how many numbers hold it, and the one that uses most of its
 bound. *Off* is relative to the source; the *bound* is what elements and steps of the case allow, some coarse because their source is. A star: with options
-of the case changed. `expected.toml` of a case has all numbers, options, values and sources. `cargo test` runs all; `just pages` writes this page. [Accuracy](accuracy.md) has finer grids.
+of the case changed. `expected.toml` of a case has all numbers, options, values and sources. `just test` runs all; `just pages` writes this page. [Accuracy](accuracy.md) has finer grids.
 
 | case | numbers | uses most of its bound | source | off | bound |
 |---|---|---|---|---|---|

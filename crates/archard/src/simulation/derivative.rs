@@ -11,7 +11,8 @@ use crate::solve::{self, Status, Step};
 pub struct Derivative {
     /// Of the pressure (Pa over the unit), one value a pair.
     pub pressure: Vec<f64>,
-    /// Of the approach (m over the unit); by the load it is one over the stiffness of the contact.
+    /// Of the approach (m over the unit), counted from the first touch of the bodies as they are; by the load it is one over the
+    /// stiffness of the contact.
     pub approach: f64,
 }
 
@@ -23,15 +24,17 @@ impl Contact {
     /// # Errors
     /// If the solve does not converge.
     pub fn by_load(&self) -> Result<Option<Derivative>, Error> {
-        let flat = vec![0.0; self.pressure().len()];
-        let whole = self.on_the_pairs(&flat)?;
-        Ok(whole.map(|whole| whole.scaled(1.0 / self.load())))
+        let flat = self.on_the_pairs(&vec![0.0; self.pressure().len()])?;
+        Ok(flat.map(|(pressure, approach)| {
+            let pressure = pressure.iter().map(|pressure| pressure / self.load()).collect();
+            Derivative { pressure, approach: approach / self.load() }
+        }))
     }
 
     /// The derivative by a parameter of the shape at the same load: `gap` is the derivative of the gap by it (m over its unit, positive
     /// where bodies part), one value a pair, such as -(x^2 + y^2) / (2 R^2) by the radius of a ball. The depth that both bodies lose
-    /// over a distance, k p by Archard, gives the derivative by that distance. Exact and known as [by the load](Self::by_load), from
-    /// two more solves.
+    /// over a distance, k p by Archard, gives the derivative by that distance. Known as [by the load](Self::by_load), and exact to the
+    /// root of the solver's tolerance: a difference of solves on the same pairs, which are linear.
     ///
     /// # Errors
     /// If the solve does not converge.
@@ -42,32 +45,33 @@ impl Contact {
         let state = self.state();
         assert_eq!(gap.len(), state.pressure.len(), "one value a pair");
         assert!(gap.iter().all(|value| value.is_finite()), "finite values");
-        let Some(flat) = self.on_the_pairs(&vec![0.0; gap.len()])? else { return Ok(None) };
+        let Some((flat, depth)) = self.on_the_pairs(&vec![0.0; gap.len()])? else {
+            return Ok(None);
+        };
         let touching = |pair: &usize| state.pressure[*pair] > 0.0;
         let most = (0..gap.len()).filter(touching).map(|pair| gap[pair].abs()).fold(0.0, f64::max);
         if most == 0.0 {
-            return Ok(Some(flat.scaled(0.0)));
+            return Ok(Some(Derivative { pressure: vec![0.0; gap.len()], approach: 0.0 }));
         }
-        // A change so small that the load presses all pairs on in spite of it.
+        // A change so small that the load presses all pairs on in spite of it, and so large that half of the digits of a solve are left.
         let tolerance = self.simulation.solver.settings().tolerance;
-        let mut part = 1.0;
-        while part > tolerance {
-            let change = part * flat.approach / most;
+        let mut part: f64 = 1.0;
+        while part.powi(2) > tolerance {
+            let change = part * depth / most;
             let changed: Vec<f64> = gap.iter().map(|own| change * own).collect();
-            if let Some(whole) = self.on_the_pairs(&changed)? {
-                let pairs = whole.pressure.iter().zip(&flat.pressure);
-                let pressure = pairs.map(|(whole, flat)| (whole - flat) / change).collect();
-                let approach = (whole.approach - flat.approach) / change;
-                return Ok(Some(Derivative { pressure, approach }));
+            if let Some((pressure, approach)) = self.on_the_pairs(&changed)? {
+                let pairs = pressure.iter().zip(&flat);
+                let pressure = pairs.map(|(pressure, flat)| (pressure - flat) / change).collect();
+                return Ok(Some(Derivative { pressure, approach: (approach - depth) / change }));
             }
             part *= 0.5;
         }
         Ok(None)
     }
 
-    /// Pressure and approach under the load where the pairs in contact stay as they are over that gap (m), which all others have far
-    /// wider; `None` where some of them would part, and where they are not known.
-    fn on_the_pairs(&self, gap: &[f64]) -> Result<Option<Derivative>, Error> {
+    /// Pressures (Pa) and approach (m) under the load where the pairs in contact stay as they are over that gap (m), which all others
+    /// have far wider; `None` where some of them would part, and where they are not known.
+    fn on_the_pairs(&self, gap: &[f64]) -> Result<Option<(Vec<f64>, f64)>, Error> {
         let (problem, state) = (self.problem(), self.state());
         let hardness = problem.hardness();
         let coupled = state.tangential.is_some() && problem.compliance.couples();
@@ -109,13 +113,6 @@ impl Contact {
             }
             _ => return Ok(None),
         }
-        Ok(Some(Derivative { pressure: found.pressure, approach: found.approach }))
-    }
-}
-
-impl Derivative {
-    fn scaled(self, factor: f64) -> Self {
-        let pressure = self.pressure.iter().map(|pressure| factor * pressure).collect();
-        Self { pressure, approach: factor * self.approach }
+        Ok(Some((found.pressure, found.approach)))
     }
 }
